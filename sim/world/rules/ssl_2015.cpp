@@ -1,0 +1,44 @@
+#include "sim/world/rules/ssl_2015.h"
+
+namespace world {
+
+RuleSet ssl_2015() {
+  using namespace std::chrono_literals;
+  RuleSet rules;
+  rules.name = "ssl-2015";
+  rules.field = Field{};                // Law 1
+  rules.robots_per_team = 6;            // Law 3
+  rules.half_length = 10min;            // Law 7
+  rules.half_time = 0s;                 // Law 7 allows up to 5 min; nobody waits in a simulated game
+  rules.half_overrun = 60s;             // ours: a half ends at a stoppage, but not later than this (I-18)
+  rules.kick_time = 10s;                // Law 9
+  rules.timeouts = 4;                   // Law 7
+  rules.timeout_time = 5min;            // Law 7
+  rules.yellow_card = 2min;             // Law 12
+  rules.stop_speed = 1.5;               // Law 12, caution 9
+  rules.stop_distance = 0.5;            // Laws 5 and 9
+  rules.ball_settled_speed = 0.1;       // V_b of Algorithm 3: the authors' code
+  rules.robot_settled_speed = 0.4;      // V_r of Algorithm 3: the authors' code
+  rules.settled_for = 1s;               // Algorithm 3
+  rules.settle_limit = 15s;             // Table 3, "or after some time has passed"; the authors' code
+  rules.placement_tolerance = 0.05;     // ours: ten times the vision's error (I-16)
+  rules.reset_retry = 1s;               // ours
+  rules.kick_travel = 0.05;             // Law 9, decision 1
+  rules.opponent_distance = 0.5;        // Laws 8, 13, 15, 16, 17
+  rules.attacker_area_distance = 0.2;   // Law 9
+  rules.retake_keeps_call = true;       // Law 13 (I-20, I-38)
+  rules.exit_frames = 3;                // Algorithm 2
+  rules.touch_line_inset = 0.1;         // Law 15
+  rules.corner_inset = 0.1;             // Law 17
+  rules.goal_kick_inset = 0.5;          // Law 16
+  rules.direct_from_goal_line = true;   // Laws 16 and 17 (I-3)
+  rules.max_ball_speed = 8.0;           // Law 12
+  rules.max_dribble = 1.0;              // Law 12, decision 5
+  rules.stuck_distance = 0.25;          // the authors' code
+  rules.stuck_time = 12s;               // the authors' code
+  rules.free_kick_area_distance = 0.7;  // Law 13
+  rules.free_kick_goal_line = 0.6;      // Law 13
+  return rules;
+}
+
+}  // namespace world

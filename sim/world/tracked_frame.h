@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/world/geometry.h"
+#include "sim/world/robot_id.h"
+#include "sim/world/time.h"
+
+namespace world {
+
+/// Positions and velocities are in the field frame, SI units, unless a name ends in `_local`.
+struct TrackedBall {
+  Vector3d position = Vector3d::Zero();  ///< [m] centre; z is the height above its resting place
+  Vector3d velocity = Vector3d::Zero();  ///< [m/s]
+  bool observed = false;                 ///< some camera saw it in this frame
+  Duration unseen{};                     ///< time since a camera saw it last
+};
+
+struct TrackedRobot {
+  RobotId id;
+  Vector2d position = Vector2d::Zero();  ///< [m] centre
+  double orientation = 0;                ///< [rad] in (-pi, pi], 0 = field x, counter-clockwise
+  Vector2d velocity = Vector2d::Zero();  ///< [m/s]
+  double angular_velocity = 0;           ///< [rad/s]
+  bool observed = false;                 ///< some camera saw it in this frame
+  bool ball_in_reach = false;            ///< geometry only: the ball is at the dribbler
+};
+
+/// A robot touched the ball, as far as anyone can tell from detections.
+struct Touch {
+  RobotId robot;
+  Time time;  ///< of the contact; up to a few frames before the frame that reports it
+  Vector2d position = Vector2d::Zero();  ///< [m] ball at that time
+  double probability = 1;
+};
+
+/// What the tracker believes about one instant of the match.
+struct TrackedFrame {
+  Time time;
+  std::optional<TrackedBall> ball;   ///< nothing until a ball was seen, and again when it is lost for long
+  std::vector<TrackedRobot> robots;  ///< sorted by id
+  std::vector<Touch> touches;  ///< found in this frame; empty for teams, which do not run touch detection
+};
+
+/// The robot of that id, or null.
+inline const TrackedRobot* find_robot(const TrackedFrame& frame, RobotId id) {
+  for (const TrackedRobot& robot : frame.robots) {
+    if (robot.id == id) return &robot;
+  }
+  return nullptr;
+}
+
+}  // namespace world
