@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/world/robot_id.h"
+
+namespace record {
+
+/// One team of one game: which program plays it, and with which robots.
+struct TeamConfig {
+  std::string name;                  ///< as tables and the referee message show it
+  std::vector<std::string> command;  ///< program and arguments; a bare name is looked up beside `matchday`
+  std::vector<int> robots = {0, 1, 2, 3, 4, 5};  ///< numbers of the robots on the field
+  double speed_factor = 1;                       ///< of speed and acceleration, in (0, 1]
+  bool operator==(const TeamConfig&) const = default;
+};
+
+/// Everything that decides how a game goes, and where its files go.
+///
+/// The game is a pure function of the builds and of all fields but `log` and `directory`.
+struct MatchConfig {
+  world::PerTeam<TeamConfig> teams;
+  std::uint64_t seed = 1;
+  std::string rules = "ssl-2015";     ///< name of a rule set
+  std::string realism = "measured";   ///< name of a realism preset
+  std::optional<double> half_length;  ///< [s] instead of the rule set's
+  bool blue_on_positive_half = true;  ///< blue defends the goal at +x in the first half
+  world::Team first_kickoff = world::Team::Yellow;
+  std::optional<std::filesystem::path> log;  ///< the game as a league log, .log or .log.gz
+  std::filesystem::path directory;           ///< where the teams' output goes; empty: nowhere
+  bool operator==(const MatchConfig&) const = default;
+};
+
+/// The configuration as one line of JSON.
+std::string to_json(const MatchConfig& config);
+
+/// @throws std::invalid_argument naming the field when `text` is not such a line
+MatchConfig match_config_from_json(const std::string& text);
+
+}  // namespace record
