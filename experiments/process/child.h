@@ -1,0 +1,92 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiments/process/output_log.h"
+#include "experiments/process/program.h"
+
+namespace process {
+
+/// What to start, and how.
+struct Command {
+  std::vector<std::string> arguments;  ///< the first names the program, see find_program()
+  std::vector<std::pair<std::string, std::string>> environment;  ///< added to ours, or in place of ours
+  std::filesystem::path directory;                               ///< to work in; empty: ours
+  std::filesystem::path output;                     ///< file for standard output and error; empty: none
+  std::size_t output_limit = std::size_t{4} << 20;  ///< [bytes] of that file
+  int cpu = -1;                                     ///< the only one to run on; -1: as we do
+};
+
+/// How a process ended, and what it used.
+struct Exit {
+  bool signalled = false;
+  int number = 0;          ///< exit code, or the signal's number
+  double cpu_seconds = 0;  ///< user and system, of it and the children it has waited for
+
+  bool clean() const { return !signalled && number == 0; }
+  /// "ended with code 3", "was ended by signal 11 (Segmentation fault)"
+  std::string describe() const;
+};
+
+/// Files in /proc of one process.
+struct Usage {
+  std::int64_t peak_memory = 0;  ///< [bytes] VmHWM
+  double cpu_seconds = 0;        ///< user and system, so far
+};
+/// Nothing when there is no such process any more.
+std::optional<Usage> usage(pid_t process);
+
+/// One child process with its own process group, ended with everything in that group at the latest by the
+/// destructor.
+///
+/// The child dies with us (PR_SET_PDEATHSIG), reads nothing on standard input, inherits no other open file,
+/// and writes into a pipe that drain() copies to a log of limited size. Only this child is ever waited for.
+class Child {
+ public:
+  /// @throws StartError naming the program and the cause
+  explicit Child(const Command& command);
+  Child(Child&& other) noexcept;
+  Child(const Child&) = delete;
+  Child& operator=(Child&&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child();
+
+  pid_t pid() const { return pid_; }
+
+  /// Copies what the child has printed since to its log; never blocks. At most 1 MiB at a time.
+  void drain();
+
+  /// Whether it has ended by itself; does not block.
+  bool has_ended() { return wait(std::chrono::milliseconds{0}); }
+
+  /// Waits for it to end by itself, draining its output meanwhile.
+  ///
+  /// @return whether it has ended
+  bool wait(std::chrono::milliseconds patience);
+
+  /// Ends it: TERM to the group, then after `grace` KILL to the group, then reaps it. Also when it has ended
+  /// by itself, for what it may have left in its group. Calling it again returns the same.
+  Exit stop(std::chrono::milliseconds grace);
+
+  const OutputLog& output() const { return log_; }
+
+ private:
+  void reap();
+
+  OutputLog log_;
+  pid_t pid_ = -1;
+  int exit_fd_ = -1;    // pidfd, readable when the child has ended
+  int output_fd_ = -1;  // our end of its standard output and error
+  std::optional<Exit> exit_;
+};
+
+}  // namespace process

@@ -1,0 +1,55 @@
+#include "experiments/process/program.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+namespace process {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_program(const fs::path& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && ::access(path.c_str(), X_OK) == 0;
+}
+
+fs::path own_folder() {
+  std::error_code ignored;
+  const fs::path own = fs::read_symlink("/proc/self/exe", ignored);
+  return own.parent_path();
+}
+
+}  // namespace
+
+fs::path find_program(const std::string& name) {
+  if (name.empty()) throw StartError("the command of a program is empty");
+
+  if (name.find('/') != std::string::npos) {
+    std::error_code error;
+    const fs::path path = fs::absolute(name, error);
+    if (!fs::exists(path, error)) throw StartError("program '" + name + "' does not exist");
+    if (!is_program(path)) throw StartError("program '" + name + "' is not an executable file");
+    return path;
+  }
+
+  const fs::path beside = own_folder() / name;
+  if (is_program(beside)) return beside;
+
+  const char* variable = std::getenv("PATH");
+  std::string_view rest = variable != nullptr ? variable : "/usr/local/bin:/usr/bin:/bin";
+  while (!rest.empty()) {
+    const std::size_t end = rest.find(':');
+    const std::string_view folder = rest.substr(0, end);
+    rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
+    if (folder.empty()) continue;
+    const fs::path candidate = fs::absolute(fs::path(folder)) / name;
+    if (is_program(candidate)) return candidate;
+  }
+  throw StartError("program '" + name + "' found neither in " + own_folder().string() + " nor in PATH");
+}
+
+}  // namespace process

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace process {
+
+/// A program could not be started; the message is one sentence that names it and the cause.
+class StartError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The absolute path of a program as a user names it.
+///
+/// A name with a slash is a path, seen from the present directory. A bare name is looked up beside the
+/// running program (so that `matchday` finds the teams built with it), then in PATH.
+///
+/// @throws StartError when there is no such file or it is not executable
+std::filesystem::path find_program(const std::string& name);
+
+}  // namespace process
