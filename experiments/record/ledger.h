@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "experiments/record/attempt.h"
+
+namespace record {
+
+/// The ledger or its folder cannot be used: damaged, of a newer version, locked, of another experiment.
+struct StorageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What an experiment's ledger says about itself.
+struct Experiment {
+  std::string hash;    ///< of everything that decides its games, 32 hexadecimal digits
+  std::string design;  ///< text of the design file
+  bool operator==(const Experiment&) const = default;
+};
+
+/// All attempts of an experiment in one SQLite file: the only state of a run.
+///
+/// One row per attempt, written once, in a transaction of its own that is on the disk when `add` returns.
+/// One process writes; any number may read meanwhile.
+class Ledger {
+ public:
+  static constexpr int schema = 1;  ///< `PRAGMA user_version`
+
+  /// Opens the ledger for writing; a file that does not exist is created for that experiment.
+  ///
+  /// @throws StorageError naming the file: not a ledger, damaged, newer schema, another experiment (both
+  /// hashes)
+  static Ledger open(const std::filesystem::path& file, const Experiment& experiment);
+
+  /// Opens an existing ledger for reading only.
+  ///
+  /// @throws StorageError as above, and when there is no such file
+  static Ledger read(const std::filesystem::path& file);
+
+  Ledger(Ledger&&) noexcept;
+  Ledger& operator=(Ledger&&) noexcept;
+  ~Ledger();
+
+  /// Writes one attempt.
+  ///
+  /// @throws StorageError when it is already there or cannot be written
+  void add(const Attempt& attempt);
+
+  /// All attempts, by condition name, pair, leg and attempt.
+  std::vector<Attempt> attempts() const;
+
+  Experiment experiment() const;
+
+ private:
+  struct Connection;
+  explicit Ledger(std::unique_ptr<Connection> connection);
+  std::unique_ptr<Connection> connection_;
+};
+
+}  // namespace record
