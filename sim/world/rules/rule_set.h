@@ -14,6 +14,7 @@ struct TouchAlgorithms {
   bool accel = true;
   bool line = true;
   bool backtrack = true;
+  bool reach = true;  ///< ours: a ball carried at the dribbler, which the three above do not see
 };
 
 /// Every limit, distance, time and dimension the referee uses. A rule set is a value of this type in a file

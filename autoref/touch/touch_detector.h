@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/world/field.h"
+#include "sim/world/rules/rule_set.h"
+#include "sim/world/tracked_frame.h"
+
+namespace touch {
+
+using world::Vector2d;
+
+/// Who touches the ball: the paper's `accel`, `line` and `backtrack`, and our `reach`, joined by OR.
+///
+/// At most one touch per robot and frame; contact that lasts is reported again and again, since what counts
+/// is who touched last. A contributor needs as many consecutive frames as it looks back (accel 3, backtrack
+/// 4, line 6, reach 3), of the ball and of that robot; a gap in time starts its memory anew.
+class TouchDetector {
+ public:
+  TouchDetector(const world::Field& field, world::TouchAlgorithms algorithms);
+
+  /// Takes in the next frame and replaces `out` by the touches found in it, sorted by robot.
+  /// @pre frame.time is later than the last one's, except after reset()
+  void update(const world::TrackedFrame& frame, std::vector<world::Touch>& out);
+
+  void reset();
+
+ private:
+  static constexpr int memory = 6;  // frames; `line` looks back five
+
+  struct Sample {
+    world::Time time;
+    Vector2d ball = Vector2d::Zero();           // [m]
+    Vector2d ball_velocity = Vector2d::Zero();  // [m/s]
+  };
+  struct RobotHistory {
+    int length = 0;                                // consecutive frames known
+    std::array<Vector2d, memory> ball_from_robot;  // [m] the paper's d_0 .. d_5, newest first
+    int carried = 0;                               // frames in a row in which it moved the ball along
+    world::Time time;                              // of the newest
+  };
+
+  bool remember(const world::TrackedFrame& frame);
+  void remember(const world::TrackedRobot& robot, RobotHistory& history) const;
+  bool carries(const world::TrackedRobot& robot) const;
+  /// How many frames ago the robot touched the ball, as far as any algorithm can tell.
+  std::optional<int> frames_since_touch(const RobotHistory& history, bool is_closest) const;
+
+  world::Field field_;
+  world::TouchAlgorithms algorithms_;
+  int length_ = 0;                                                         // frames of ball history
+  std::array<Sample, memory> samples_;                                     // newest first
+  std::array<RobotHistory, 2 * (world::max_robot_number + 1)> histories_;  // by team, then number
+};
+
+}  // namespace touch

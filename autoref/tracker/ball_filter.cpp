@@ -1,0 +1,129 @@
+#include "autoref/tracker/ball_filter.h"
+
+#include <algorithm>
+
+namespace tracker {
+namespace {
+
+/// Spectral density of a white acceleration that makes velocity wander by `a` times a frame in a frame.
+double density(double a) { return a * a * world::tick_length; }
+
+constexpr double least_weight = 1e-4;  // so that no phase is ever ruled out for good; ours
+
+}  // namespace
+
+BallFilter::BallFilter(const world::Geometry& geometry, const Params& params)
+    : models_{BallModel{geometry.ball_slide_deceleration, density(params.sliding_noise)},
+              BallModel{geometry.ball_roll_deceleration, density(params.rolling_noise)},
+              BallModel{0, density(params.erratic_noise)}},
+      r_(params.ball_sigma * params.ball_sigma) {}
+
+void BallFilter::start(const Vector2d& position, const Vector2d& velocity, double velocity_sigma) {
+  BallEkf belief;
+  belief.position = position;
+  belief.velocity = velocity;
+  belief.position_cov = r_ * Matrix2d::Identity();
+  belief.velocity_cov = velocity_sigma * velocity_sigma * Matrix2d::Identity();
+  beliefs_.fill(belief);
+  weights_ = {0.4, 0.4, 0.2};  // ours: the measurements decide within a few frames
+}
+
+void BallFilter::mix(double dt, bool near_robot) {
+  // Chances per second of changing phase, ours: a 6 m/s kick slides for 0.6 s; near a robot contact begins in
+  // every fifth frame and lasts about as long, elsewhere only chips and unseen robots disturb the ball.
+  const double disturbed = near_robot ? 12 : 0.2;
+  const double settles = near_robot ? 3 : 6;
+  const auto chance = [dt](double rate) { return std::min(rate * dt, 0.3); };
+  const double change[phases][phases] = {{0, chance(2), chance(disturbed)},
+                                         {chance(0.1), 0, chance(disturbed)},
+                                         {chance(settles), chance(settles), 0}};
+
+  std::array<std::array<double, phases>, phases> share;  // of the old phase i in the new phase j
+  std::array<double, phases> weights{};
+  for (int j = 0; j < phases; ++j) {
+    for (int i = 0; i < phases; ++i) {
+      const double p = i == j ? 1 - change[i][0] - change[i][1] - change[i][2] : change[i][j];
+      share[j][i] = p * weights_[i];
+      weights[j] += share[j][i];
+    }
+  }
+
+  const std::array<BallEkf, phases> old = beliefs_;
+  for (int j = 0; j < phases; ++j) {
+    BallEkf& belief = beliefs_[j];
+    belief.position.setZero();
+    belief.velocity.setZero();
+    for (int i = 0; i < phases; ++i) {
+      share[j][i] /= weights[j];
+      belief.position += share[j][i] * old[i].position;
+      belief.velocity += share[j][i] * old[i].velocity;
+    }
+    belief.position_cov.setZero();
+    belief.cross_cov.setZero();
+    belief.velocity_cov.setZero();
+    for (int i = 0; i < phases; ++i) {
+      const Vector2d dp = old[i].position - belief.position;
+      const Vector2d dv = old[i].velocity - belief.velocity;
+      belief.position_cov += share[j][i] * (old[i].position_cov + dp * dp.transpose());
+      belief.cross_cov += share[j][i] * (old[i].cross_cov + dp * dv.transpose());
+      belief.velocity_cov += share[j][i] * (old[i].velocity_cov + dv * dv.transpose());
+    }
+  }
+  weights_ = weights;
+}
+
+void BallFilter::predict(double dt, bool near_robot) {
+  mix(dt, near_robot);
+  for (int i = 0; i < phases; ++i) beliefs_[i].predict(dt, models_[i]);
+}
+
+double BallFilter::best_nis(const Vector2d& measured) const {
+  double best = 0;
+  for (int i = 0; i < phases; ++i) {
+    const Vector2d innovation = measured - beliefs_[i].position;
+    Matrix2d s = beliefs_[i].position_cov;
+    s.diagonal().array() += r_;
+    const double value = innovation.dot(s.inverse() * innovation);
+    if (i == 0 || value < best) best = value;
+  }
+  return best;
+}
+
+double BallFilter::nis(const Vector2d& measured) const {
+  const Vector2d mean = position();
+  Matrix2d s = r_ * Matrix2d::Identity();
+  for (int i = 0; i < phases; ++i) {
+    const Vector2d spread = beliefs_[i].position - mean;
+    s += weights_[i] * (beliefs_[i].position_cov + spread * spread.transpose());
+  }
+  return (measured - mean).dot(s.inverse() * (measured - mean));
+}
+
+void BallFilter::update(const Vector2d& measured) {
+  double sum = 0;
+  for (int i = 0; i < phases; ++i) {
+    weights_[i] *= beliefs_[i].update(measured, r_);
+    sum += weights_[i];
+  }
+  if (!(sum > 0)) {  // every likelihood underflowed: the widest model is the least wrong
+    weights_ = {0, 0, 1};
+    sum = 1;
+  }
+  double floored = 0;
+  for (double& weight : weights_) floored += weight = std::max(weight / sum, least_weight);
+  for (double& weight : weights_) weight /= floored;
+}
+
+Vector2d BallFilter::position() const {
+  Vector2d mean = Vector2d::Zero();
+  for (int i = 0; i < phases; ++i) mean += weights_[i] * beliefs_[i].position;
+  return mean;
+}
+
+Vector2d BallFilter::velocity() const {
+  Vector2d mean = Vector2d::Zero();
+  for (int i = 0; i < phases; ++i) mean += weights_[i] * beliefs_[i].velocity;
+  return mean;
+}
+
+}  // namespace tracker

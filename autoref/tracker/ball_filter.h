@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+
+#include "autoref/tracker/ball_ekf.h"
+#include "autoref/tracker/params.h"
+#include "sim/world/field.h"
+
+namespace tracker {
+
+/// A ball that slides, rolls, or is driven by something unseen: one extended Kalman filter for each, weighted
+/// by how well it foretells the measurements.
+///
+/// Interacting multiple models: before every step the three beliefs are mixed by the chances of a change of
+/// phase, afterwards each is weighted by its likelihood. `erratic` is the collision covariance of
+/// football.md 3.1 and carries dribbled, pushed and flying balls.
+/// Source  Bar-Shalom, Li, Kirubarajan, "Estimation with Applications to Tracking and Navigation", 2001,
+///         Sec. 11.6.6.
+class BallFilter {
+ public:
+  enum Phase { Slide, Roll, Erratic };
+  static constexpr int phases = 3;
+
+  BallFilter(const world::Geometry& geometry, const Params& params);
+
+  /// Starts anew: position from one measurement, velocity known to `velocity_sigma` [m/s].
+  void start(const Vector2d& position, const Vector2d& velocity, double velocity_sigma);
+
+  /// Lets time pass. @param dt [s], >= 0  @param near_robot  a robot may be touching the ball
+  void predict(double dt, bool near_robot);
+
+  /// Normalised innovation squared of a measurement, by the phase that expects it best; chi-square with 2
+  /// degrees of freedom when that phase is right.
+  double best_nis(const Vector2d& measured) const;
+  /// The same for the mixture of all phases, as one Gaussian.
+  double nis(const Vector2d& measured) const;
+
+  void update(const Vector2d& measured);
+
+  Vector2d position() const;  ///< [m] mean of the mixture
+  Vector2d velocity() const;  ///< [m/s]
+  double weight(Phase phase) const { return weights_[phase]; }
+
+ private:
+  void mix(double dt, bool near_robot);
+
+  std::array<BallModel, phases> models_;
+  double r_;  // [m^2] measurement variance
+  std::array<BallEkf, phases> beliefs_;
+  std::array<double, phases> weights_{};
+};
+
+}  // namespace tracker

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "autoref/tracker/ball_filter.h"
+#include "autoref/tracker/candidate.h"
+#include "sim/world/detection.h"
+#include "sim/world/tracked_frame.h"
+
+namespace tracker {
+
+/// True when the ball's centre is where a dribbler holds it: geometry only.
+bool in_dribbler_zone(const world::TrackedRobot& robot, const Vector2d& ball);
+
+/// Follows the one ball among all that cameras report.
+///
+/// A report belongs to the ball when some phase of its motion expects it; when it does not, but a robot, a
+/// wall or a goal could have struck the ball on the way, the ball was kicked and its velocity starts anew;
+/// else it is another ball or a teleport, and a candidate that must persist.
+class BallTrack {
+ public:
+  BallTrack(const world::Geometry& geometry, const Params& params);
+
+  /// Takes in all balls of one camera image.
+  /// @param robots  foretold to `time`
+  void see(std::span<const world::DetectedBall> balls, world::Time time,
+           std::span<const world::TrackedRobot> robots);
+
+  /// Forgets a ball that was unseen too long.
+  void age(world::Time now);
+  void reset();
+
+  bool known() const { return known_; }
+  bool seen_since(world::Time time) const { return known_ && seen_ > time; }
+  /// Where it should be at an instant; while unseen, with the robot that had it at its dribbler.
+  /// @param robots  foretold to `time`
+  world::TrackedBall foretell(world::Time time, std::span<const world::TrackedRobot> robots) const;
+
+ private:
+  struct Hold {  // the ball at a dribbler when it was last seen
+    world::RobotId robot;
+    Vector2d ball_local = Vector2d::Zero();  // [m]
+  };
+  struct State {
+    Vector2d position = Vector2d::Zero();
+    Vector2d velocity = Vector2d::Zero();
+  };
+
+  bool follow(std::span<const world::DetectedBall> balls, world::Time time,
+              std::span<const world::TrackedRobot> robots);
+  void consider(const Vector2d& position, world::Time time);
+  void take_over();
+  std::optional<State> held(std::span<const world::TrackedRobot> robots) const;
+  bool could_be_struck(const Vector2d& from, const Vector2d& to,
+                       std::span<const world::TrackedRobot> robots) const;
+  void remember_hold(std::span<const world::TrackedRobot> robots);
+
+  world::Field field_;
+  Params params_;
+  BallFilter filter_;
+  bool known_ = false;
+  world::Time seen_;
+  std::optional<Hold> hold_;
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace tracker

@@ -1,0 +1,33 @@
+#include "autoref/tracker/candidate.h"
+
+namespace tracker {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double slack = 0.02;                // [m] noise and camera calibration on top of the speed; ours
+constexpr double straightness = 0.06;         // [m] of the third sighting; 1 g would bend it by 3 mm; ours
+constexpr world::Duration patience = 100ms;   // six frames between two sightings; ours
+constexpr world::Duration least_span = 20ms;  // more than one frame: two cameras alone do not confirm; ours
+
+}  // namespace
+
+bool Candidate::continues(const Vector2d& position, world::Time time, double max_speed) const {
+  if (time <= last_ || time - last_ > patience) return false;
+  const double dt = world::seconds(time - last_);
+  const double off = (position - position_ - velocity_ * dt).norm();
+  return off <= (count_ == 1 ? max_speed * dt + slack : straightness);
+}
+
+void Candidate::add(const Vector2d& position, world::Time time) {
+  velocity_ = (position - position_) / world::seconds(time - last_);
+  position_ = position;
+  last_ = time;
+  ++count_;
+}
+
+bool Candidate::stale(world::Time now) const { return now - last_ > patience; }
+
+bool Candidate::confirmed(int sightings) const { return count_ >= sightings && last_ - first_ >= least_span; }
+
+}  // namespace tracker

@@ -1,0 +1,173 @@
+#include "autoref/tracker/tracker.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace tracker {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr world::Duration max_step = 1s;  // a longer step is a jump of the clock; ours
+constexpr int batches_of_a_restart = 3;   // one late packet is not a restart; ours
+constexpr double far_away = 50.0;         // [m] no field is so large; ours
+constexpr std::size_t max_cameras = 64;   // ids beyond are nonsense; the league had 4 to 8
+constexpr std::size_t max_balls = 64;     // of one image; ours
+constexpr std::int64_t max_time = 3'000'000'000'000'000'000;  // [ns] differences must not overflow
+
+constexpr int numbers = world::max_robot_number + 1;
+
+std::size_t index_of(world::Team team, int number) {
+  return static_cast<std::size_t>((team == world::Team::Yellow ? 0 : numbers) + number);
+}
+
+bool is_plausible(const world::Vector2d& position) {
+  return std::abs(position.x()) < far_away && std::abs(position.y()) < far_away;  // false for NaN
+}
+
+bool has_usable_time(const world::Detection& detection) {
+  return std::abs(detection.t_capture.time_since_epoch().count()) < max_time;
+}
+
+}  // namespace
+
+Tracker::Tracker(world::Geometry geometry, Params params) : params_(params), ball_(geometry, params) {
+  robots_.reserve(2 * numbers);
+  for (const world::Team team : world::both_teams) {
+    for (int number = 0; number < numbers; ++number) {
+      robots_.emplace_back(world::RobotId{team, static_cast<std::uint8_t>(number)}, params);
+    }
+  }
+}
+
+void Tracker::reset() {
+  for (RobotTrack& robot : robots_) robot.reset();
+  ball_.reset();
+  cameras_.clear();
+  started_ = false;
+  batches_from_the_past_ = 0;
+}
+
+void Tracker::choose(std::span<const world::Detection> detections) {
+  images_.clear();
+  for (const world::Detection& detection : detections) {
+    if (has_usable_time(detection)) images_.push_back(&detection);
+  }
+  if (images_.empty()) return;
+  const auto earlier = [](const world::Detection* a, const world::Detection* b) {
+    return std::pair(a->t_capture, a->camera) < std::pair(b->t_capture, b->camera);
+  };
+  std::ranges::stable_sort(images_, earlier);
+  if (!started_) return;
+
+  // Images far from the present are mistakes as long as others of the batch are near.
+  const auto is_far = [this](const world::Detection* image) {
+    return image->t_capture > frame_.time + max_step || image->t_capture < frame_.time - max_step;
+  };
+  if (!std::ranges::all_of(images_, is_far)) {
+    std::erase_if(images_, is_far);
+    batches_from_the_past_ = 0;
+    return;
+  }
+  const world::Time newest = images_.back()->t_capture;
+  if (newest > frame_.time) {
+    std::erase_if(images_, [this](const world::Detection* image) { return image->t_capture < frame_.time; });
+    batches_from_the_past_ = 0;
+    return;
+  }
+  if (++batches_from_the_past_ < batches_of_a_restart) {
+    images_.clear();
+    return;
+  }
+  reset();
+  ++restarts_;
+}
+
+bool Tracker::repeats(const world::Detection& detection) {
+  for (CameraClock& clock : cameras_) {
+    if (clock.camera != detection.camera) continue;
+    if (detection.t_capture <= clock.last) return true;
+    clock.last = detection.t_capture;
+    return false;
+  }
+  if (cameras_.size() >= max_cameras) return true;
+  cameras_.push_back({detection.camera, detection.t_capture});
+  return false;
+}
+
+const world::TrackedFrame* Tracker::update(std::span<const world::Detection> detections) {
+  choose(detections);
+  if (images_.empty()) return nullptr;
+  const world::Time newest = images_.back()->t_capture;
+  const world::Time before = started_ ? frame_.time : images_.front()->t_capture - 1ns;
+  for (const world::Detection* image : images_) {
+    if (!repeats(*image)) take_in(*image);
+  }
+  if (started_ && newest <= frame_.time) return nullptr;
+  started_ = true;
+  publish(newest, before);
+  return &frame_;
+}
+
+void Tracker::take_in(const world::Detection& detection) {
+  const world::Time time = detection.t_capture;
+
+  // The nearest to expectation of those that claim one id.
+  std::array<const world::DetectedRobot*, 2 * numbers> claims{};
+  std::uint32_t claimed = 0;
+  for (const world::DetectedRobot& robot : detection.robots) {
+    if (!robot.number || *robot.number > world::max_robot_number || !is_plausible(robot.position)) continue;
+    if (robot.team != world::Team::Yellow && robot.team != world::Team::Blue) continue;
+    const std::size_t index = index_of(robot.team, *robot.number);
+    const RobotTrack& track = robots_[index];
+    const world::DetectedRobot*& claim = claims[index];
+    if (claim && track.surprise(robot.position, time) >= track.surprise(claim->position, time)) continue;
+    claim = &robot;
+    claimed |= 1u << index;
+  }
+  for (std::size_t index = 0; claimed != 0; ++index, claimed >>= 1) {
+    if ((claimed & 1u) == 0) continue;
+    const world::DetectedRobot& robot = *claims[index];
+    const bool has_heading = robot.orientation && std::abs(*robot.orientation) < 1e6;  // false for NaN
+    robots_[index].see(robot.position, has_heading ? robot.orientation : std::nullopt, time);
+  }
+
+  balls_.clear();
+  for (const world::DetectedBall& ball : detection.balls) {
+    if (is_plausible(ball.position) && balls_.size() < max_balls) balls_.push_back(ball);
+  }
+  if (balls_.empty()) return;
+  foretell_robots(time, foretold_);
+  ball_.see(balls_, time, foretold_);
+}
+
+void Tracker::foretell_robots(world::Time time, std::vector<world::TrackedRobot>& out) const {
+  out.clear();
+  for (const RobotTrack& robot : robots_) {
+    if (!robot.known()) continue;
+    robot.foretell(time, out.emplace_back());
+  }
+}
+
+void Tracker::publish(world::Time time, world::Time before) {
+  for (RobotTrack& robot : robots_) robot.age(time);
+  ball_.age(time);
+
+  frame_.time = time;
+  frame_.touches.clear();
+  foretell_robots(time, frame_.robots);
+  frame_.ball.reset();
+  if (ball_.known()) {
+    frame_.ball = ball_.foretell(time, frame_.robots);
+    frame_.ball->observed = ball_.seen_since(before);
+    if (frame_.ball->observed) frame_.ball->unseen = {};
+  }
+  for (world::TrackedRobot& robot : frame_.robots) {
+    robot.observed = robots_[index_of(robot.id.team, robot.id.number)].seen_since(before);
+    robot.ball_in_reach = frame_.ball && in_dribbler_zone(robot, frame_.ball->position.head<2>());
+  }
+}
+
+}  // namespace tracker
