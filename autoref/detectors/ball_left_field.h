@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+
+#include "autoref/detectors/detector.h"
+#include "sim/world/rules/rule_set.h"
+
+namespace detectors {
+
+/// BALL_LEFT_FIELD_TOUCH_LINE, BALL_LEFT_FIELD_GOAL_LINE: the whole ball crossed a line, without a goal.
+///
+/// Rule    laws of 2015, Law 9; paper, Algorithm 2: certain with the third observed frame outside in a row.
+/// Guard   distance outside the lines - ball radius  [m]
+/// Where   the point where the way from the last place inside to the present place crosses the boundary.
+/// Resets  when the ball is inside. A ball between the posts is the goal detector's; here it counts neither
+/// as
+///         inside nor as outside until it is behind the goal (a chip over the bar).
+/// Source  Algorithm 2 with I-6 and I-25. Ours: after a jump that no ball can make, 15 frames instead of 3,
+/// since
+///         it is more likely a false ball; for a way through the goal's mouth 3 frames more, since the filter
+///         runs through the goal's back before it believes the bounce.
+class BallLeftField final : public Detector {
+ public:
+  explicit BallLeftField(const world::RuleSet& rules) : field_(rules.field), frames_(rules.exit_frames) {}
+
+  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
+                                       const world::GameState& state) override;
+  void reset() override {
+    last_inside_.reset();
+    first_outside_.reset();
+    count_ = 0;
+    reported_ = false;
+  }
+
+ private:
+  struct Sample {
+    world::Time time;
+    world::Vector2d ball;
+  };
+
+  int frames_needed(bool in_mouth) const;
+
+  world::Field field_;
+  int frames_;
+  std::optional<Sample> last_inside_;
+  std::optional<Sample> first_outside_;
+  int count_ = 0;          // observed frames outside in a row
+  bool reported_ = false;  // this exit has been reported
+};
+
+}  // namespace detectors

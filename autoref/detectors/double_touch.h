@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+
+#include "autoref/detectors/detector.h"
+#include "sim/world/rules/rule_set.h"
+
+namespace detectors {
+
+/// ATTACKER_DOUBLE_TOUCHED_BALL: the robot that took the kick touched the ball again before anyone else did.
+///
+/// Rule    laws of 2015, Law 9, decision 1: the kicker may bump the ball, but not touch it after it has
+/// travelled
+///         50 mm; not after a forced start.
+/// Certain (a) when the ball was clear of the kicker (50 mm between hull and ball, farther than kick_travel
+/// from
+///         where it lay) and a touch by the kicker is dated after that; or (b) when the ball is still at the
+///         kicker's dribbler, kick_travel and 30 mm away from where it lay, for the third observed frame in a
+///         row. The kick's own late or repeated touch reports (I-33) satisfy neither.
+/// Source  30 mm and three frames are ours: a fast kick is still in reach for one frame.
+class DoubleTouch final : public Detector {
+ public:
+  explicit DoubleTouch(const world::RuleSet& rules) : field_(rules.field), travel_(rules.kick_travel) {}
+
+  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
+                                       const world::GameState& state) override;
+  void reset() override {
+    released_.reset();
+    carried_ = 0;
+    reported_ = false;
+  }
+
+ private:
+  world::Field field_;
+  double travel_;
+  std::optional<world::Time> released_;  // when the ball was clear of the kicker
+  int carried_ = 0;                      // observed frames in the kicker's reach too far from where it lay
+  bool reported_ = false;
+};
+
+}  // namespace detectors

@@ -1,0 +1,65 @@
+#include "autoref/detectors/kick_taken.h"
+
+#include <algorithm>
+
+#include "autoref/detectors/ball.h"
+
+namespace detectors {
+namespace {
+
+constexpr double kick_speed = 0.4;           // [m/s]
+constexpr double least_travel = 0.01;        // [m] for a kick known by its speed
+constexpr double opponent_tolerance = 0.02;  // [m]
+
+}  // namespace
+
+std::optional<world::Time> KickTaken::when_taken(const world::TrackedFrame& frame,
+                                                 const world::GameState& state) {
+  const double distance = (on_ground(*frame.ball) - *state.kick_position).norm();
+  const world::GuardSample moved{frame.time, distance - travel_};
+  const double speed = frame.ball->velocity.head<2>().norm();
+  const world::GuardSample sped_up{frame.time, distance > least_travel ? speed - kick_speed : -kick_speed};
+  if (!moved_ && state.location_time < frame.time) {  // the ball lay there when the kick was signalled
+    moved_ = world::GuardSample{state.location_time, -travel_};
+    sped_up_ = world::GuardSample{state.location_time, -kick_speed};
+  }
+  std::optional<world::Time> taken;
+  if (moved_) taken = rising_zero(*moved_, moved);
+  if (sped_up_) {
+    const auto by_speed = rising_zero(*sped_up_, sped_up);
+    if (by_speed && (!taken || *by_speed < *taken)) taken = by_speed;
+  }
+  moved_ = moved;
+  sped_up_ = sped_up;
+  return taken;
+}
+
+std::vector<world::GameEvent> KickTaken::update(const world::TrackedFrame& frame,
+                                                const world::GameState& state) {
+  if (reported_ || !observed_ball(frame) || !state.kick_position) return {};
+  const auto taken = when_taken(frame, state);
+  if (!taken) return {};
+  reported_ = true;
+
+  const world::Vector2d place = *state.kick_position;
+  world::KickTaken kick;
+  kick.by = {state.kick_team, 0};
+  kick.location = place;
+  if (const auto* kicker = nearest_robot(frame, place, state.kick_team)) kick.by = kicker->id;
+
+  const world::Side attacked = world::other(world::defended_side(state, state.kick_team));
+  for (const world::TrackedRobot& robot : frame.robots) {
+    if (robot.id.team != state.kick_team) {
+      const bool near = hull_distance(field_, robot, place) < opponent_distance_ - opponent_tolerance;
+      if (near && !kick.opponent_near_ball) kick.opponent_near_ball = robot.id;
+    } else if (robot.id != kick.by && !kick.attacker_near_area) {
+      const double distance =
+          world::distance_to_defense_area(field_, attacked, robot.position) - field_.robot_radius;
+      if (distance < area_distance_) kick.attacker_near_area = robot.id;
+    }
+  }
+  if (state.is_kickoff) kick.wrong_half = robot_in_wrong_half(frame, state);
+  return {{*taken, kick}};
+}
+
+}  // namespace detectors

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+
+#include "autoref/detectors/detector.h"
+#include "sim/world/rules/rule_set.h"
+
+namespace detectors {
+
+/// NO_PROGRESS_IN_GAME: the ball is stuck.
+///
+/// Rule    Law 5 of 2015 leaves it to the referee; the limits are those of the authors' code: less than 0.25
+/// m in
+///         each second, for 12 s.
+/// Guard   time since progress - stuck_time  [s]. Progress is 0.25 m away from where the ball was at most one
+/// second
+///         before. A ball that nobody sees makes no progress.
+class NoProgress final : public Detector {
+ public:
+  explicit NoProgress(const world::RuleSet& rules)
+      : distance_(rules.stuck_distance), limit_(rules.stuck_time) {}
+
+  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
+                                       const world::GameState& state) override;
+  void reset() override {
+    progress_.reset();
+    sample_time_.reset();
+    place_.reset();
+  }
+
+ private:
+  double distance_;
+  world::Duration limit_;
+  std::optional<world::Time> progress_;     // when there was some last
+  std::optional<world::Time> sample_time_;  // of `place_`
+  std::optional<world::Vector2d> place_;    // [m]
+};
+
+}  // namespace detectors

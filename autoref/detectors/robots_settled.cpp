@@ -1,0 +1,30 @@
+#include "autoref/detectors/robots_settled.h"
+
+#include "autoref/detectors/ball.h"
+
+namespace detectors {
+
+bool RobotsSettled::steady(const world::TrackedFrame& frame, const world::GameState& state) const {
+  if (!frame.ball || frame.ball->velocity.norm() > ball_speed_) return false;
+  if (state.reset_position && (on_ground(*frame.ball) - *state.reset_position).norm() > tolerance_)
+    return false;
+  for (const world::TrackedRobot& robot : frame.robots) {
+    if (robot.velocity.norm() > robot_speed_) return false;
+  }
+  return true;
+}
+
+std::vector<world::GameEvent> RobotsSettled::update(const world::TrackedFrame& frame,
+                                                    const world::GameState& state) {
+  if (!entered_) entered_ = start_ = frame.time;
+  const bool at_home = !state.is_kickoff || !robot_in_wrong_half(frame, state);
+  if (!at_home || !steady(frame, state)) start_ = frame.time;
+
+  const bool settled = frame.time - *start_ >= settled_for_;
+  const bool too_long = frame.time - *entered_ >= (at_home ? limit_ : 2 * limit_);
+  if (!settled && !too_long) return {};
+  entered_ = start_ = frame.time;
+  return {{frame.time, world::RobotsSettled{!settled}}};
+}
+
+}  // namespace detectors

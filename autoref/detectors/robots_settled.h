@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+
+#include "autoref/detectors/detector.h"
+#include "sim/world/rules/rule_set.h"
+
+namespace detectors {
+
+/// Ball in place and robots steady: play can be restarted (the paper's "the robots are ready").
+///
+/// Rule    paper, Algorithm 3: nothing faster than V_b, V_r for one second; with the ball within
+///         placement_tolerance of its place (I-16), counted from the entry into GAME_OFF (I-15).
+/// Guard   min(time since something moved or the ball was not in place - settled_for, ...)  [s], or the whole
+/// wait -
+///         settle_limit (I-17, "or after some time has passed").
+/// Kickoff the robots must also be in their own halves; for them the referee waits twice the limit, because
+/// at
+///         half-time they drive over the whole field (ours: 9 m at the 0.3 m/s of a slow team).
+class RobotsSettled final : public Detector {
+ public:
+  explicit RobotsSettled(const world::RuleSet& rules)
+      : ball_speed_(rules.ball_settled_speed),
+        robot_speed_(rules.robot_settled_speed),
+        tolerance_(rules.placement_tolerance),
+        settled_for_(rules.settled_for),
+        limit_(rules.settle_limit) {}
+
+  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
+                                       const world::GameState& state) override;
+  void reset() override {
+    entered_.reset();
+    start_.reset();
+  }
+
+ private:
+  bool steady(const world::TrackedFrame& frame, const world::GameState& state) const;
+
+  double ball_speed_;
+  double robot_speed_;
+  double tolerance_;
+  world::Duration settled_for_;
+  world::Duration limit_;
+  std::optional<world::Time> entered_;
+  std::optional<world::Time> start_;  // the paper's s_start: when it was last not so
+};
+
+}  // namespace detectors
