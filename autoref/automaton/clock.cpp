@@ -1,0 +1,20 @@
+#include "autoref/automaton/clock.h"
+
+namespace automaton {
+
+void continuous_update(world::GameState& state, world::Time time) {
+  const world::Duration passed = time - state.time;
+  state.time = time;
+  if (state.location == world::Location::Init) return;  // the match had not begun
+  if (state.location == world::Location::Break) {
+    if (!state.timeout_team) return;
+    state.timeout_time[*state.timeout_team] -= passed;
+    if (state.stage_end) *state.stage_end += passed;
+    return;
+  }
+  for (const world::Team team : world::both_teams) {
+    for (world::Duration& left : state.yellow_times[team]) left -= passed;
+  }
+}
+
+}  // namespace automaton
