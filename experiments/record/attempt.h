@@ -1,9 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "experiments/record/match_record.h"
 
@@ -41,10 +41,10 @@ inline constexpr int max_attempts = 3;  ///< of a pair, before it is given up (D
 /// A void game takes its partner with it: the tables need both legs of a pair from the same attempt, and a
 /// leg dropped alone would be dropped for a reason that has to do with its result.
 struct PairState {
-  int attempt = 1;                               ///< the attempt that counts, or would be the next
-  std::vector<const Attempt*> legs{2, nullptr};  ///< played in that attempt; null: not yet
-  int voids = 0;                                 ///< void games of all attempts
-  bool given_up = false;                         ///< every attempt had a void game
+  int attempt = 1;                       ///< the attempt that counts, or would be the next
+  std::array<const Attempt*, 2> legs{};  ///< played in that attempt; null: not yet
+  int voids = 0;                         ///< void games of all attempts
+  bool given_up = false;                 ///< every attempt had a void game
   bool complete() const { return !given_up && legs[0] != nullptr && legs[1] != nullptr; }
 };
 

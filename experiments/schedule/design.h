@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/record/match_config.h"
+
+namespace schedule {
+
+/// What is varied: team A and team B as they play under this condition.
+struct Condition {
+  std::string name;
+  record::TeamConfig a;
+  record::TeamConfig b;
+  bool operator==(const Condition&) const = default;
+};
+
+/// An experiment: which teams meet under which conditions, how often, under which rules.
+struct Design {
+  std::string name;
+  std::string description;
+  std::uint64_t seed = 1;
+  int pairs = 1;  ///< per condition; a pair is two games with the colours exchanged
+  std::string rules = "ssl-2015";
+  std::optional<double> half_length;  ///< [s] instead of the rule set's
+  std::string realism = "measured";
+  int forfeit_goals = 3;  ///< a game lost at the table counts 0 to this
+  std::vector<Condition> conditions;
+  std::string text;  ///< the file as it was read
+};
+
+/// The design in a TOML file; the format is in experiments/designs/README.md.
+///
+/// @throws std::invalid_argument "file:line: key = value: what is wrong; what would be right"
+Design read_design(const std::filesystem::path& file);
+
+/// The design in a text; `file` is what messages call it.
+Design parse_design(const std::string& text, const std::string& file);
+
+/// Everything in the design that decides games or tables, as one line of JSON with its keys in a fixed order.
+///
+/// Comments, order of keys, the description and other ways to write the same do not matter.
+std::string canonical(const Design& design);
+
+}  // namespace schedule

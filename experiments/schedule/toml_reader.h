@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace schedule {
+
+/// One table of a TOML file, read key by key; every complaint names file, line, key and value.
+///
+/// A key that nobody asked for is a mistake: finish() says so.
+class TomlTable {
+ public:
+  /// @throws std::invalid_argument naming file and line when the text is not TOML
+  static TomlTable parse(const std::string& text, const std::string& file);
+
+  bool has(const std::string& key) const;
+
+  // Each returns nothing when the key is absent and throws std::invalid_argument when it is something else.
+  std::optional<std::string> text(const std::string& key);
+  std::optional<std::int64_t> integer(const std::string& key);
+  std::optional<double> number(const std::string& key);
+  std::optional<std::vector<std::string>> texts(const std::string& key);
+  std::optional<std::vector<std::int64_t>> integers(const std::string& key);
+  std::optional<TomlTable> table(const std::string& key);
+  std::optional<std::vector<TomlTable>> tables(const std::string& key);
+
+  /// Whether the key holds a text (and not, say, a list).
+  bool is_text(const std::string& key) const;
+
+  /// @throws std::invalid_argument "file:line: key = value: `problem`"
+  [[noreturn]] void reject(const std::string& key, const std::string& problem) const;
+  /// The same about a key that should be there.
+  [[noreturn]] void missing(const std::string& key, const std::string& hint) const;
+
+  /// @throws std::invalid_argument when the table has a key that was never asked for, with the known ones
+  void finish() const;
+
+ private:
+  struct Node;
+  explicit TomlTable(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+  std::string full_name(const std::string& key) const;
+
+  std::shared_ptr<const Node> node_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace schedule

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "experiments/record/attempt.h"
+#include "experiments/record/match_config.h"
+
+namespace record {
+
+/// A record with something in every field.
+inline MatchRecord example_record() {
+  MatchRecord record;
+  record.goals = {.yellow = 2, .blue = 1};
+  record.termination = Termination::Finished;
+  record.at_fault = Party::Nobody;
+  record.ticks = 72'345;
+  record.hash = "0123456789abcdef0123456789abcdef";
+  record.calls = {{"BallLeftFieldTouchLine", 40}, {"PossibleGoal", 3}};
+  record.fouls = {.yellow = 4, .blue = 5};
+  record.stoppages = 61;
+  record.counters = {{"shots", 12.5}};
+  record.versions = {.yellow = "1.0", .blue = "2.0"};
+  record.timeline = {
+      {world::tick_time(601), "T11.7", "BallLeftFieldTouchLine", "STOP", "INDIRECT yellow", "out"}};
+  record.wall_seconds = 15.25;
+  record.costs = {{"host cpu", 9.5}};
+  return record;
+}
+
+inline MatchConfig example_config() {
+  MatchConfig config;
+  config.teams.yellow = {"ours", {"team-a", "--flag", "two words"}, {0, 3, 15}, 0.5};
+  config.teams.blue = {"theirs \"quoted\"", {"/bin/team b"}, {1}, 1};
+  config.seed = 18'446'744'073'709'551'615ULL;
+  config.rules = "paper";
+  config.realism = "harsh";
+  config.half_length = 12.5;
+  config.blue_on_positive_half = false;
+  config.first_kickoff = world::Team::Blue;
+  config.log = "games/x.log.gz";
+  config.directory = "games/x";
+  return config;
+}
+
+/// An attempt of that leg, by default finished 2:1 for yellow.
+inline Attempt example_attempt(int pair, int leg, int attempt = 1) {
+  Attempt example;
+  example.key = {"equal", pair, leg};
+  example.attempt = attempt;
+  example.seed = 18'446'744'073'709'551'000ULL;
+  example.a_colour = leg == 0 ? world::Team::Blue : world::Team::Yellow;
+  example.blue_on_positive_half = false;
+  example.first_kickoff = world::Team::Blue;
+  example.record = example_record();
+  example.started = "2026-11-20T21:00:00Z";
+  example.worker = 1;
+  return example;
+}
+
+/// The same, spoilt by the harness.
+inline Attempt void_attempt(int pair, int leg, int attempt) {
+  Attempt example = example_attempt(pair, leg, attempt);
+  example.record.termination = Termination::HarnessFault;
+  example.record.at_fault = Party::Harness;
+  example.record.reason = "the worker was ended by signal 9";
+  return example;
+}
+
+}  // namespace record

@@ -1,0 +1,118 @@
+#include "experiments/record/ledger.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "tests/experiments/record/examples.h"
+
+namespace record {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class LedgerTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "ledger-test-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path file() const { return folder_ / "ledger.sqlite"; }
+  Ledger open() const { return Ledger::open(file(), experiment_); }
+
+  template <class Action>
+  static std::string complaint(Action action) {
+    try {
+      action();
+    } catch (const StorageError& error) {
+      return error.what();
+    }
+    return "nothing thrown";
+  }
+
+  fs::path folder_;
+  Experiment experiment_{"00112233445566778899aabbccddeeff", "name = \"test\"\n"};
+};
+
+TEST_F(LedgerTest, GivesBackWhatWasWrittenAlsoAfterReopening) {
+  {
+    Ledger ledger = open();
+    ledger.add(example_attempt(1, 0));
+    ledger.add(void_attempt(0, 1, 1));
+    ledger.add(example_attempt(0, 1, 2));
+  }
+  open().add(example_attempt(0, 0));
+  EXPECT_THAT(Ledger::read(file()).attempts(), ElementsAre(example_attempt(0, 0), void_attempt(0, 1, 1),
+                                                           example_attempt(0, 1, 2), example_attempt(1, 0)));
+  EXPECT_EQ(Ledger::read(file()).experiment(), experiment_);
+}
+
+TEST_F(LedgerTest, TakesEveryAttemptOnlyOnce) {
+  Ledger ledger = open();
+  ledger.add(example_attempt(0, 0));
+  EXPECT_THAT(complaint([&] { ledger.add(example_attempt(0, 0)); }), HasSubstr("ledger.sqlite"));
+  EXPECT_EQ(ledger.attempts().size(), 1U);
+}
+
+TEST_F(LedgerTest, CanBeReadWhileItIsOpenForWriting) {
+  Ledger ledger = open();
+  ledger.add(example_attempt(0, 0));
+  EXPECT_EQ(Ledger::read(file()).attempts().size(), 1U);
+}
+
+TEST_F(LedgerTest, RefusesAnotherExperimentNamingBothHashes) {
+  open();
+  const Experiment other{"ffffffffffffffffffffffffffffffff", ""};
+  const std::string message = complaint([&] { Ledger::open(file(), other); });
+  EXPECT_THAT(message, HasSubstr(experiment_.hash));
+  EXPECT_THAT(message, HasSubstr(other.hash));
+}
+
+TEST_F(LedgerTest, RefusesANewerSchemaNamingBothNumbers) {
+  open();
+  SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
+  for (const std::string& message : {complaint([&] { open(); }), complaint([&] { Ledger::read(file()); })}) {
+    EXPECT_THAT(message, HasSubstr("schema 7"));
+    EXPECT_THAT(message, HasSubstr("only up to 1"));
+  }
+}
+
+TEST_F(LedgerTest, RefusesWhatIsNoLedger) {
+  SQLite::Database(file().string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("CREATE TABLE x (y)");
+  EXPECT_THAT(complaint([&] { open(); }), HasSubstr("not a ledger"));
+  std::ofstream(folder_ / "text") << "this is not a database, but it is long enough to have a header\n";
+  EXPECT_THAT(complaint([&] { Ledger::read(folder_ / "text"); }), HasSubstr("damaged"));
+  EXPECT_THAT(complaint([&] { Ledger::read(folder_ / "nothing"); }), HasSubstr("there is no ledger"));
+}
+
+TEST_F(LedgerTest, RefusesADamagedFile) {
+  {
+    Ledger ledger = open();
+    for (int pair = 0; pair < 50; ++pair) ledger.add(example_attempt(pair, 0));
+  }
+  {
+    std::fstream stream(file(), std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(8192);
+    stream << std::string(16'384, '\x5a');
+  }
+  EXPECT_THAT(complaint([&] { Ledger::read(file()).attempts(); }), HasSubstr("damaged"));
+  EXPECT_THAT(complaint([&] { open(); }), HasSubstr("damaged"));
+}
+
+TEST_F(LedgerTest, BeginsAnewWhenTheFirstStartWasCutShort) {
+  std::ofstream(file()).close();  // what is left when the run was killed before the first commit
+  EXPECT_THAT(complaint([&] { Ledger::read(file()); }), HasSubstr("still empty"));
+  open().add(example_attempt(0, 0));
+  EXPECT_EQ(open().attempts().size(), 1U);
+}
+
+}  // namespace
+}  // namespace record

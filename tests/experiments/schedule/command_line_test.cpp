@@ -1,0 +1,35 @@
+#include "experiments/schedule/command_line.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace schedule {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(SplitCommand, SeparatesAtBlanks) {
+  EXPECT_THAT(split_command("  team-reference --goalie\t 3 "),
+              ElementsAre("team-reference", "--goalie", "3"));
+}
+
+TEST(SplitCommand, KeepsWhatIsQuotedTogether) {
+  EXPECT_THAT(split_command(R"(python3 'my team.py' "a 'b'" c\ d e"f g"h)"),
+              ElementsAre("python3", "my team.py", "a 'b'", "c d", "ef gh"));
+}
+
+TEST(SplitCommand, KeepsEmptyWordsThatAreQuoted) {
+  EXPECT_THAT(split_command("a '' b"), ElementsAre("a", "", "b"));
+}
+
+TEST(SplitCommand, TakesBackslashesInSingleQuotesAsTheyAre) {
+  EXPECT_THAT(split_command(R"('a\b')"), ElementsAre(R"(a\b)"));
+}
+
+TEST(SplitCommand, RefusesAnOpenQuoteAndNothing) {
+  EXPECT_THROW(split_command("team 'half"), std::invalid_argument);
+  EXPECT_THROW(split_command("   "), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace schedule
