@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "sim/engine/model.h"
+#include "sim/truth/truth.h"
+#include "sim/world/detection.h"
+#include "sim/world/robot_command.h"
+
+namespace engine {
+
+/// The simulator: a constant Model, a State that changes, and `step`.
+///
+/// Nothing is called back; after a step read `truth()` and `detections()`. The same model and the same
+/// commands give the same bits, in this process and in another one of the same binary on the same class of
+/// CPU.
+class Engine {
+ public:
+  /// Robots start in a line-up in their own half, one of each team in its goal mouth, the ball at the centre
+  /// mark.
+  ///
+  /// @throws std::invalid_argument, see `check(const Model&)`
+  explicit Engine(Model model);
+  ~Engine();
+  Engine(Engine&&) noexcept;
+  Engine& operator=(Engine&&) noexcept;
+
+  const Model& model() const;
+
+  /// Advances the world by one tick (4 substeps of 1/240 s).
+  ///
+  /// Commands are delayed by `Realism::command_latency`: those of step k move the robots in step k + latency.
+  /// A robot that is not in its team's commands stops (zero velocity, no kick, dribbler off); commands for
+  /// robots that do not exist, and numbers that are not finite, count as nothing; of two for one robot the
+  /// last one counts.
+  void step(const world::PerTeam<world::TeamCommands>& commands);
+
+  std::int64_t tick() const;  ///< after n steps: n
+  world::Time time() const;   ///< after n steps: tick_time(n)
+
+  /// Poses now; contacts and kicks of the last step.
+  const truth::Frame& truth() const;
+
+  /// What arrived at the end of the last step (vision delay applied), in the order of capture.
+  std::span<const world::Detection> detections() const;
+
+  /// Puts the ball on the ground there, at rest and without spin; contact caches are cleared.
+  /// Robots in the way stay: see `push_robots_out`. They are pushed off by the physics, without energy.
+  void place_ball(const world::Vector2d& spot);
+
+  /// Says whether no robot's hull is within `clearance` [m] of the point `spot`.
+  bool spot_is_free(const world::Vector2d& spot, double clearance) const;
+
+  /// Moves robots whose hull is within `clearance` [m] of `spot` out radially by the least distance, to rest,
+  /// inside the walls and off goals and other robots where possible.
+  void push_robots_out(const world::Vector2d& spot, double clearance);
+
+  /// Takes a robot off the field; nothing happens when it is not there.
+  void remove_robot(world::RobotId id);
+
+  /// Puts a robot of the model at a place, at rest.
+  /// @throws std::invalid_argument when the model has no such robot
+  void put_robot(world::RobotId id, const world::Vector2d& position, double orientation);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace engine

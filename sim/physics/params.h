@@ -1,0 +1,81 @@
+#pragma once
+
+namespace physics {
+
+/// Standard gravity [m/s^2].
+inline constexpr double gravity = 9.81;
+
+/// The ball and its contact with the carpet. Numbers: reference "football", section 5.
+struct BallParams {
+  double mass = 0.046;               ///< [kg] golf ball (paper, 3.1)
+  double radius = 0.0215;            ///< [m] (paper, 3.1); World takes it from the field
+  double slide_deceleration = 3.0;   ///< [m/s^2] TIGERs
+  double roll_deceleration = 0.26;   ///< [m/s^2] TIGERs
+  double restitution = 0.5;          ///< normal to the carpet; published .47 (TIGERs) to .57 (ER-Force)
+  double bounce_friction = 0.35;     ///< Coulomb friction during a bounce; ER-Force's ball on floor
+  double smallest_hop = 0.010;       ///< [m] lower hops become rolling; TIGERs
+  double pivot_deceleration = 50.0;  ///< [rad/s^2] of spin about the vertical; ours: 2/3 of Coulomb friction
+                                     ///< .35 on a contact patch of 5 mm radius gives 53
+};
+
+/// Restitution and friction of a ball with what it hits; Bullet multiplies one number of each body.
+struct ContactParams {
+  double ball_robot_restitution = 0.6;      ///< ER-Force
+  double ball_dribbler_restitution = 0.1;   ///< at a turning dribbler; ours: between ER-Force .2 and TIGERs 0
+  double ball_wall_restitution = 0.3;       ///< ER-Force
+  double ball_goal_side_restitution = 0.3;  ///< ER-Force
+  double ball_goal_back_restitution = 0.1;  ///< ER-Force
+  double ball_robot_friction = 0.22;        ///< ER-Force
+  double ball_wall_friction = 0.35;         ///< ours: as on the carpet
+  double ball_goal_friction = 0.5;          ///< ER-Force
+  double robot_robot_restitution = 0.1;     ///< ours: plastic covers hardly bounce; Sumatra damps by 0.8
+  double robot_robot_friction = 0.1;        ///< Sumatra, tangential coupling
+};
+
+/// When the kicker reaches the ball, and how often.
+struct KickerParams {
+  double reach = 0.008;        ///< [m] gap between front and ball; ours: two substeps of closing at 1 m/s
+  double highest_ball = 0.05;  ///< [m] ball centre; ER-Force
+  double recharge = 0.1;       ///< [s] ER-Force
+  double steepest = 1.4;  ///< [rad] largest elevation of a chip; ours (80 degrees): protects against nonsense
+};
+
+/// The dribbler as a bounded spring between ball and bar.
+///
+/// Source  ours. The bar can pull with what carpet friction on the back-spinning ball gives (.35 g = 3.4
+/// m/s^2,
+///         more because the bar also presses down), and drag sideways with what rubber gives (friction 1.5 in
+///         ER-Force's model). What comes out (the turn rates and decelerations at which the ball is lost) is
+///         measured in tests/sim/physics/dribbler_test.cpp and written in the README.
+struct DribblerParams {
+  double reach = 0.015;        ///< [m] gap over which the bar still grips
+  double gain = 30.0;          ///< [1/s] of the spring: closes an error in about 8 substeps
+  double pull = 5.0;           ///< [m/s^2] largest acceleration towards the robot
+  double drag = 6.0;           ///< [m/s^2] largest acceleration sideways
+  double full_speed = 50.0;    ///< [rad/s] of the bar from which on the grip is full; below in proportion
+  double highest_ball = 0.03;  ///< [m] ball centre; a bouncing ball is not held
+};
+
+/// A ball that came to lie on a robot or a goal rolls off it.
+struct PerchParams {
+  double push = 1.0;  ///< [m/s^2] outward; ours: a cover sloping by 6 degrees
+};
+
+/// Bullet's settings (reference "physics", 1c, 1d).
+struct SolverParams {
+  int iterations = 10;
+  double split_impulse_threshold = -0.0005;  ///< [m] near zero, or deep overlaps turn into speed
+  double hull_margin = 0.001;                ///< [m] convex margin, inside the nominal surface
+  int hull_segments = 14;                    ///< straight pieces of the round part of a robot
+};
+
+struct Params {
+  BallParams ball;
+  ContactParams contact;
+  KickerParams kicker;
+  DribblerParams dribbler;
+  PerchParams perch;
+  SolverParams solver;
+};
+
+}  // namespace physics

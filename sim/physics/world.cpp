@@ -1,0 +1,311 @@
+#include "sim/physics/world.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "sim/physics/ball.h"
+#include "sim/physics/bullet_scene.h"
+#include "sim/physics/dribbler.h"
+#include "sim/physics/drive.h"
+#include "sim/physics/fixtures.h"
+#include "sim/physics/hull.h"
+#include "sim/physics/kicker.h"
+#include "sim/physics/placement.h"
+
+namespace physics {
+namespace {
+
+using world::Vector2d;
+using world::Vector3d;
+
+// The kicker counts its recharge time in substeps, so that it does not depend on rounding.
+int substeps(double seconds) { return static_cast<int>(std::lround(seconds / world::substep_length)); }
+
+Vector2d left_of(const Vector2d& forward) { return {-forward.y(), forward.x()}; }
+
+Vector2d to_local(const Vector2d& vector, const Vector2d& forward) {
+  return {forward.dot(vector), left_of(forward).dot(vector)};
+}
+
+Vector2d to_field(const Vector2d& local, const Vector2d& forward) {
+  return forward * local.x() + left_of(forward) * local.y();
+}
+
+struct RobotState {
+  world::RobotSpecs specs;
+  world::RobotCommand command;
+  bool present = false;
+  int recharging = 0;  // substeps until the kicker is ready
+  RobotBody body;      // at the start of the substep
+  Vector2d velocity_step =
+      Vector2d::Zero();  // half of this substep's change by the drive, to be applied after the step
+  double angular_velocity_step = 0;
+  double ball_impulse = 0;  // [N s] in this substep
+};
+
+}  // namespace
+
+struct World::Impl {
+  Impl(const world::Field& field_, std::span<const world::RobotSpecs> specs, const Params& params_)
+      : field(field_),
+        params(with_radius(params_, field_.ball_radius)),
+        scene(field_, specs, params),
+        fixtures(physics::fixtures(field_)) {
+    for (const world::RobotSpecs& one : specs) {
+      RobotState state;
+      state.specs = one;
+      state.command.number = one.id.number;
+      robots.push_back(state);
+    }
+    ball.position.z() = params.ball.radius;
+  }
+
+  static Params with_radius(Params params, double radius) {
+    params.ball.radius = radius;
+    return params;
+  }
+
+  BallLocal ball_local(const RobotState& robot) const {
+    return {to_local(ball.position.head<2>() - robot.body.position, robot.body.forward), ball.position.z()};
+  }
+  bool ball_may_be_near(const RobotState& robot) const {
+    const double reach = robot.specs.radius + 2 * params.ball.radius + 0.05;
+    return (ball.position.head<2>() - robot.body.position).squaredNorm() < reach * reach;
+  }
+  bool in_box(const RobotState& robot, double reach, double highest) const {
+    return in_front(ball_local(robot), robot.specs, params.ball.radius, reach, highest);
+  }
+  Vector2d front_velocity(const RobotState& robot) const {
+    return robot.body.velocity +
+           left_of(robot.body.forward) * (robot.body.angular_velocity * robot.specs.center_to_dribbler);
+  }
+
+  // An impulse between ball and robot that Bullet does not know of; [N s] on the ball.
+  void exchange(RobotState& robot, const Vector3d& impulse) {
+    ball.velocity += impulse / params.ball.mass;
+    robot.body.velocity -= impulse.head<2>() / robot.specs.mass;
+    robot.ball_impulse += impulse.norm();
+  }
+
+  void drive(RobotState& robot);
+  void kick(RobotState& robot, world::Time end, std::vector<truth::Kick>& kicks);
+  bool dribble(RobotState& robot);
+  void roll_off(const BallContact& contact);
+
+  world::Field field;
+  Params params;
+  BulletScene scene;
+  std::vector<Fixture> fixtures;
+  std::vector<RobotState> robots;
+  truth::Ball ball;
+  std::vector<BallContact> contacts;
+};
+
+// Half of the change of velocity goes before Bullet's step and half after it, so that the step moves the
+// robot with its mean velocity.
+void World::Impl::drive(RobotState& robot) {
+  const world::RobotCommand& command = robot.command;
+  const double turned = robot.body.angular_velocity * world::substep_length / 2;
+  const Vector2d forward = world::rotated(robot.body.forward, turned);
+  const Motion now{robot.body.velocity, robot.body.angular_velocity};
+  const Motion target{to_field(command.velocity_local, forward), command.angular_velocity};
+  const Motion next = driven(now, target, robot.specs, world::substep_length);
+  robot.velocity_step = (next.velocity - now.velocity) / 2;
+  robot.angular_velocity_step = (next.angular_velocity - now.angular_velocity) / 2;
+  robot.body.velocity += robot.velocity_step;
+  robot.body.angular_velocity += robot.angular_velocity_step;
+}
+
+void World::Impl::kick(RobotState& robot, world::Time end, std::vector<truth::Kick>& kicks) {
+  if (robot.recharging > 0 || !(robot.command.kick_speed > 0)) return;
+  if (!in_box(robot, params.kicker.reach, params.kicker.highest_ball)) return;
+  const auto velocity =
+      kicked_velocity(robot.command, robot.specs, params.kicker, robot.body.forward, front_velocity(robot));
+  exchange(robot, (*velocity - ball.velocity) * params.ball.mass);
+  ball.velocity = *velocity;
+  ball.spin.setZero();
+  robot.recharging = substeps(params.kicker.recharge);
+  kicks.push_back({end, robot.specs.id, ball.position, ball.velocity});
+}
+
+// Returns whether the dribbler holds the ball.
+bool World::Impl::dribble(RobotState& robot) {
+  const double strength = grip(robot.command.dribbler_speed, params.dribbler);
+  if (strength <= 0 || robot.recharging > 0) return false;
+  if (!in_box(robot, params.dribbler.reach, params.dribbler.highest_ball)) return false;
+  const Vector2d& forward = robot.body.forward;
+  const Vector2d relative = to_local(ball.velocity.head<2>() - front_velocity(robot), forward);
+  const Vector2d push = to_field(dribbler_push(ball_local(robot), relative, robot.specs, strength,
+                                               params.ball.radius, world::substep_length, params.dribbler),
+                                 forward);
+  exchange(robot, Vector3d(push.x(), push.y(), 0) * params.ball.mass);
+  return true;
+}
+
+void World::Impl::roll_off(const BallContact& contact) {
+  Vector2d outward{std::copysign(1.0, ball.position.x()), 0};  // from a goal's roof over its back
+  if (contact.robot >= 0) {
+    const Vector2d from_center =
+        ball.position.head<2>() - robots[static_cast<std::size_t>(contact.robot)].body.position;
+    if (from_center.norm() > 1e-6) outward = from_center.normalized();
+  }
+  ball.velocity.head<2>() += outward * (params.perch.push * world::substep_length);
+}
+
+World::World(const world::Field& field, std::span<const world::RobotSpecs> robots, const Params& params)
+    : impl_(std::make_unique<Impl>(field, robots, params)) {
+  assert(
+      std::is_sorted(robots.begin(), robots.end(), [](const auto& a, const auto& b) { return a.id < b.id; }));
+}
+World::~World() = default;
+
+std::size_t World::robot_count() const { return impl_->robots.size(); }
+const world::RobotSpecs& World::specs(std::size_t robot) const { return impl_->robots[robot].specs; }
+bool World::is_present(std::size_t robot) const { return impl_->robots[robot].present; }
+
+void World::set_command(std::size_t robot, const world::RobotCommand& command) {
+  impl_->robots[robot].command = command;
+}
+
+void World::substep(world::Time end, std::vector<truth::Contact>& contacts, std::vector<truth::Kick>& kicks) {
+  Impl& impl = *impl_;
+  truth::Ball& ball = impl.ball;
+  const BallParams& ball_params = impl.params.ball;
+
+  bool held = false;
+  bool at_dribbler = false;
+  for (std::size_t i = 0; i < impl.robots.size(); ++i) {
+    RobotState& robot = impl.robots[i];
+    if (!robot.present) continue;
+    robot.body = impl.scene.robot(i);
+    robot.ball_impulse = 0;
+    robot.recharging = std::max(robot.recharging - 1, 0);
+    impl.drive(robot);
+    if (impl.ball_may_be_near(robot)) {
+      impl.kick(robot, end, kicks);
+      if (impl.dribble(robot)) held = true;
+      // A fast ball reaches the bar within the substep: 10 m/s cover 42 mm.
+      if (robot.command.dribbler_speed > 0 && impl.in_box(robot, 0.045, impl.params.dribbler.highest_ball)) {
+        at_dribbler = true;
+      }
+    }
+    impl.scene.set_robot_velocity(i, robot.body.velocity, robot.body.angular_velocity);
+  }
+
+  // The ball's own motion: half of its change before Bullet's step, half after it. A held ball is carried by
+  // the dribbler, whose limits include the carpet's friction.
+  const bool grounded = on_ground(ball, ball_params);
+  if (!grounded) {
+    ball.velocity.z() -= gravity * world::substep_length / 2;
+  } else if (!held) {
+    apply_ground_friction(ball, world::substep_length / 2, ball_params);
+  }
+  impl.scene.set_ball(ball);
+  impl.scene.set_ball_restitution(at_dribbler);
+  impl.scene.step(world::substep_length, impl.contacts);
+  impl.scene.read_ball(ball);
+
+  if (!grounded) {
+    ball.velocity.z() -= gravity * world::substep_length / 2;
+    bounce(ball, ball_params);
+  } else if (on_ground(ball, ball_params)) {
+    ball.position.z() = ball_params.radius;
+    ball.velocity.z() = 0;
+    if (!held) apply_ground_friction(ball, world::substep_length / 2, ball_params);
+  }
+
+  for (const BallContact& contact : impl.contacts) {
+    if (contact.robot >= 0)
+      impl.robots[static_cast<std::size_t>(contact.robot)].ball_impulse += contact.impulse;
+    if (contact.from_above && !grounded) impl.roll_off(contact);
+  }
+  for (std::size_t i = 0; i < impl.robots.size(); ++i) {
+    RobotState& robot = impl.robots[i];
+    if (!robot.present) continue;
+    const RobotBody after = impl.scene.robot(i);
+    impl.scene.set_robot_velocity(i, after.velocity + robot.velocity_step,
+                                  after.angular_velocity + robot.angular_velocity_step);
+    if (robot.ball_impulse > 0) contacts.push_back({end, robot.specs.id, ball.position, robot.ball_impulse});
+  }
+}
+
+const truth::Ball& World::ball() const { return impl_->ball; }
+
+void World::read_robots(std::vector<truth::Robot>& out) const {
+  out.clear();
+  for (std::size_t i = 0; i < impl_->robots.size(); ++i) {
+    RobotState& robot = impl_->robots[i];
+    if (!robot.present) continue;
+    robot.body = impl_->scene.robot(i);
+    const KickerParams& kicker = impl_->params.kicker;
+    const bool contact =
+        impl_->ball_may_be_near(robot) && impl_->in_box(robot, kicker.reach, kicker.highest_ball);
+    out.push_back({robot.specs.id, robot.body.position, impl_->scene.orientation(i), robot.body.velocity,
+                   robot.body.angular_velocity, contact});
+  }
+}
+
+void World::place_ball(const truth::Ball& ball) {
+  impl_->ball = ball;
+  impl_->scene.move_ball(ball.position);
+}
+
+void World::place_ball(const Vector2d& spot) {
+  truth::Ball ball;
+  ball.position = {spot.x(), spot.y(), impl_->params.ball.radius};
+  place_ball(ball);
+}
+
+void World::put_robot(std::size_t index, const Vector2d& position, double orientation) {
+  RobotState& robot = impl_->robots[index];
+  if (robot.present) {
+    impl_->scene.move_robot(index, position, orientation);
+  } else {
+    impl_->scene.add_robot(index, position, orientation);
+  }
+  robot.present = true;
+  robot.recharging = 0;
+  robot.command = {};
+  robot.body = impl_->scene.robot(index);
+}
+
+void World::set_motion(std::size_t robot, const Vector2d& velocity, double angular_velocity) {
+  impl_->scene.set_robot_velocity(robot, velocity, angular_velocity);
+}
+
+void World::remove_robot(std::size_t index) {
+  RobotState& robot = impl_->robots[index];
+  if (!robot.present) return;
+  impl_->scene.remove_robot(index);
+  robot.present = false;
+}
+
+double World::distance_to_robots(const Vector2d& point) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < impl_->robots.size(); ++i) {
+    const RobotState& robot = impl_->robots[i];
+    if (!robot.present) continue;
+    const RobotBody body = impl_->scene.robot(i);
+    least = std::min(least, hull_distance_local(robot.specs, to_local(point - body.position, body.forward)));
+  }
+  return least;
+}
+
+void World::push_robots_out(const Vector2d& spot, double clearance) {
+  std::vector<Placed> places;
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < impl_->robots.size(); ++i) {
+    if (!impl_->robots[i].present) continue;
+    places.push_back({&impl_->robots[i].specs, impl_->scene.robot(i).position, impl_->scene.orientation(i)});
+    indices.push_back(i);
+  }
+  const std::vector<bool> moved = push_out(places, impl_->fixtures, impl_->field, spot, clearance);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (!moved[k]) continue;
+    impl_->scene.move_robot(indices[k], places[k].position, places[k].orientation);
+  }
+}
+
+}  // namespace physics
