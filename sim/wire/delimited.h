@@ -1,0 +1,45 @@
+#pragma once
+
+#include <google/protobuf/message_lite.h>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace wire {
+
+/// The byte stream is not a row of frames; nothing after it can be trusted.
+struct FrameError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Longest payload of a frame [bytes] (design, "The channel between host and team").
+inline constexpr std::size_t max_frame_size = std::size_t{1} << 20;
+
+/// Cuts a byte stream into frames: a varint length, then as many bytes. Pure buffer, no sockets.
+class FrameReader {
+ public:
+  /// Adds what was received. Ends the life of spans returned by `next`.
+  void append(std::span<const std::byte> bytes);
+  /// Payload of the next whole frame, valid until `append`; nothing when more bytes are needed.
+  /// @throws FrameError when the length is above 1 MiB or its varint above 5 bytes; then at every further
+  /// call
+  std::optional<std::span<const std::byte>> next();
+  /// Bytes received but not yet returned: not zero at the end of a stream means it was cut in a frame.
+  std::size_t pending() const { return buffer_.size() - begin_; }
+
+ private:
+  std::vector<std::byte> buffer_;
+  std::size_t begin_ = 0;  // first byte not yet returned
+};
+
+/// Appends the varint length of a payload that the caller appends next.
+void append_frame_header(std::string& out, std::size_t payload_size);
+/// Appends the message as one frame.
+/// @throws FrameError when it is longer than 1 MiB
+void append_frame(std::string& out, const google::protobuf::MessageLite& message);
+
+}  // namespace wire

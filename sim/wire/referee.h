@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/proto/referee.pb.h"
+#include "sim/wire/epoch.h"
+#include "sim/world/game_event.h"
+#include "sim/world/referee_message.h"
+
+namespace wire {
+
+namespace proto {
+using namespace matchday::referee;  // NOLINT: that is the purpose
+}
+
+/// The referee's message in the league's current schema. Reuses the memory of `out`; leaves out game events.
+///
+/// READY is NORMAL_START, START is FORCE_START, KICKOFF and PENALTY are PREPARE_KICKOFF and PREPARE_PENALTY.
+void encode(const world::RefereeMessage& message, Epoch epoch, proto::Referee& out);
+
+/// The referee's message from the wire, of any version since 2013; nothing when stage or command are missing
+/// or unknown.
+///
+/// BALL_PLACEMENT, which the paper does not have, reads as STOP with its designated position; extra time
+/// reads as the half it resembles, its breaks and that of a shoot-out as half-time, a shoot-out as the second
+/// half.
+std::optional<world::RefereeMessage> decode(const proto::Referee& message, Epoch epoch);
+
+/// The league's event for one of ours; false, and `out` empty, when the league has none.
+bool encode(const world::GameEvent& event, Epoch epoch, proto::GameEvent& out);
+
+}  // namespace wire
