@@ -32,6 +32,11 @@ std::span<const Transition> Automaton::take(const world::TrackedFrame& frame,
   return transitions_;
 }
 
+void Automaton::clock_restarted(world::Time time) {
+  move_in_time(state_, time - state_.time);
+  detectors_.enter(state_.location);
+}
+
 void Automaton::run_rows(const world::TrackedFrame& frame, std::span<const Occurrence> occurrences) {
   transitions_.clear();
   Context context{state_, rules_, frame};

@@ -40,6 +40,10 @@ class Automaton {
   /// The same with occurrences given instead of detected, for tests of the tables.
   std::span<const Transition> take(const world::TrackedFrame& frame, std::span<const Occurrence> occurrences);
 
+  /// The frames' clock starts anew at `time`, before the last frame (another log, another vision server): all
+  /// instants are moved with it, and the detectors of the present location forget the past.
+  void clock_restarted(world::Time time);
+
   void set_keeper(world::Team team, int number) { state_.keeper[team] = number; }
 
   const world::GameState& state() const { return state_; }

@@ -17,4 +17,13 @@ void continuous_update(world::GameState& state, world::Time time) {
   }
 }
 
+void move_in_time(world::GameState& state, world::Duration by) {
+  state.time += by;
+  state.command_time += by;
+  state.location_time += by;
+  if (state.stage_end) *state.stage_end += by;
+  if (state.kick_deadline) *state.kick_deadline += by;
+  if (state.last_touch) state.last_touch->time += by;
+}
+
 }  // namespace automaton

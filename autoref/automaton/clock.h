@@ -9,4 +9,7 @@ namespace automaton {
 /// but in BREAK.
 void continuous_update(world::GameState& state, world::Time time);
 
+/// Moves every instant of the state by `by`, as if the whole match had been played that much later.
+void move_in_time(world::GameState& state, world::Duration by);
+
 }  // namespace automaton

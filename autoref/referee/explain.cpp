@@ -1,0 +1,293 @@
+#include "autoref/referee/explain.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace referee {
+namespace {
+
+using automaton::Transition;
+using world::CommandKind;
+using world::GameState;
+using world::Team;
+using world::Vector2d;
+
+double without_minus_zero(double value) { return std::abs(value) < 0.005 ? 0.0 : value; }
+
+template <class Event>
+const Event* event(const Transition& transition) {
+  return transition.occurrence.event ? std::get_if<Event>(&transition.occurrence.event->what) : nullptr;
+}
+
+std::string score_text(const world::PerTeam<int>& score) {
+  return fmt::format("yellow {} : {} blue", score.yellow, score.blue);
+}
+
+std::string kick_name(CommandKind kind) {
+  switch (kind) {
+    case CommandKind::Indirect:
+      return "indirect free kick";
+    case CommandKind::Direct:
+      return "direct free kick";
+    case CommandKind::Kickoff:
+      return "kickoff";
+    case CommandKind::Penalty:
+      return "penalty kick";
+    default:
+      return "neutral start";
+  }
+}
+
+// A direct kick after the ball left over a goal line has a name of its own.
+std::string restart_text(const Transition& transition) {
+  const GameState& after = transition.after;
+  if (after.location == world::Location::Break) return "";
+  if (after.restart == CommandKind::Start) return "neutral start";
+  std::string kick = kick_name(after.restart);
+  const auto* left = event<world::BallLeftFieldGoalLine>(transition);
+  const auto* goal = event<world::PossibleGoal>(transition);
+  if ((left || goal) && after.restart == CommandKind::Direct) {
+    const Vector2d& point = left ? left->location : goal->location;
+    const world::Side side = point.x() > 0 ? world::Side::Positive : world::Side::Negative;
+    kick = world::defending_team(after, side) == after.kick_team ? "goal kick" : "corner kick";
+  }
+  return kick + " for " + world::name(after.kick_team);
+}
+
+std::string last_touch_text(const std::optional<world::Touch>& touch, world::Time when) {
+  if (!touch) return "nobody was seen touching it";
+  const double before = std::max(0.0, world::seconds(when - touch->time));
+  return fmt::format("last touched by {} {:.2f} s earlier", text(touch->robot), before);
+}
+
+std::string goal_text(const world::PossibleGoal& goal, const std::optional<world::Touch>& touch) {
+  const Team scoring = world::opponent(goal.defending);
+  if (!touch) return fmt::format("goal for {}, nobody was seen touching the ball", world::name(scoring));
+  if (touch->robot.team == goal.defending) {
+    return fmt::format("goal for {}, an own goal of {}", world::name(scoring), text(touch->robot));
+  }
+  return fmt::format("goal for {}, scored by {} from {}", world::name(scoring), text(touch->robot),
+                     text(touch->position));
+}
+
+std::string foul_text(const Transition& transition, const world::RuleSet& rules) {
+  if (const auto* kick = event<world::BotKickedBallTooFast>(transition)) {
+    return fmt::format("{} kicked the ball at {:.1f} m/s, {:.1f} m/s is the limit", text(kick->by),
+                       kick->speed, rules.max_ball_speed);
+  }
+  if (const auto* dribble = event<world::BotDribbledBallTooFar>(transition)) {
+    return fmt::format("{} dribbled the ball more than {:.2f} m, from {} to {}", text(dribble->by),
+                       rules.max_dribble, text(dribble->start), text(dribble->end));
+  }
+  const automaton::Foul& foul = *transition.occurrence.foul;
+  return fmt::format("{} committed a {}foul at {}", text(foul.by),
+                     foul.severity == automaton::Severity::Serious ? "serious " : "", text(foul.location));
+}
+
+std::string kick_offence_text(const Transition& transition, const world::RuleSet& rules) {
+  const auto& kick = *event<world::KickTaken>(transition);
+  const std::string when = fmt::format("when {} took the kick", text(kick.by));
+  if (transition.row->name == "T18.b") {
+    return fmt::format("{} was within {:.2f} m of the opponents' defense area {}",
+                       text(*kick.attacker_near_area), rules.attacker_area_distance, when);
+  }
+  if (transition.row->name == "T18.c") {
+    return fmt::format("{} was within {:.2f} m of the ball {}", text(*kick.opponent_near_ball),
+                       rules.opponent_distance, when);
+  }
+  return fmt::format("{} was in the wrong half {}", text(*kick.wrong_half), when);
+}
+
+std::string stage_end_text(const Transition& transition) {
+  if (transition.after.stage == world::Stage::HalfTime) {
+    return "the first half is over at " + score_text(transition.after.score);
+  }
+  return "the game is over: " + score_text(transition.after.score);
+}
+
+// What was seen, for rows that stop play because of something that was detected.
+std::string cause_of(const Transition& transition, const world::RuleSet& rules) {
+  const auto& touch = transition.before.last_touch;
+  const world::Time when =
+      transition.occurrence.event ? transition.occurrence.event->time : transition.after.time;
+  if (const auto* left = event<world::BallLeftFieldTouchLine>(transition)) {
+    return fmt::format("ball left over the touch line at {}, {}", text(left->location),
+                       last_touch_text(touch, when));
+  }
+  if (const auto* left = event<world::BallLeftFieldGoalLine>(transition)) {
+    return fmt::format("ball left over the goal line at {}, {}", text(left->location),
+                       last_touch_text(touch, when));
+  }
+  if (const auto* goal = event<world::PossibleGoal>(transition)) {
+    if (transition.before.goal_allowed) {
+      return goal_text(*goal, touch) + ", now " + score_text(transition.after.score);
+    }
+    return fmt::format("ball went into {}'s goal straight from an indirect free kick, which is no goal, {}",
+                       world::name(goal->defending), last_touch_text(touch, when));
+  }
+  if (const auto* stuck = event<world::NoProgressInGame>(transition)) {
+    return fmt::format("the ball did not move {:.2f} m within a second for {:.0f} s", rules.stuck_distance,
+                       world::seconds(stuck->waited));
+  }
+  if (const auto* twice = event<world::AttackerDoubleTouchedBall>(transition)) {
+    return fmt::format("{} took the kick and touched the ball again at {} before anyone else did",
+                       text(twice->by), text(twice->location));
+  }
+  if (event<world::KickTaken>(transition)) return kick_offence_text(transition, rules);
+  if (transition.occurrence.foul) return foul_text(transition, rules);
+  if (transition.row->name == "T18.a") {
+    return fmt::format("{} did not take its {} within {:.0f} s", world::name(transition.before.kick_team),
+                       kick_name(transition.before.restart), world::seconds(rules.kick_time));
+  }
+  return fmt::format("time has been up for {:.0f} s without a stoppage", world::seconds(rules.half_overrun));
+}
+
+// Rows that restart play, or lead to it.
+std::string progress_text(const Transition& transition, const world::RuleSet& rules) {
+  const GameState& after = transition.after;
+  const char* team = world::name(after.kick_team);
+  const auto* settled = event<world::RobotsSettled>(transition);
+  const std::string late = settled && settled->waited_too_long ? ", the wait was over" : "";
+  switch (transition.command->kind) {
+    case CommandKind::Kickoff:
+    case CommandKind::Penalty:
+      return fmt::format("{} for {}, get ready{}", kick_name(transition.command->kind), team, late);
+    case CommandKind::Start:
+      return fmt::format("neutral start, anyone may play the ball{}", late);
+    default:
+      return fmt::format("{} for {}, to be taken within {:.0f} s{}", kick_name(after.restart), team,
+                         world::seconds(rules.kick_time), late);
+  }
+}
+
+std::string break_text(const Transition& transition) {
+  const GameState& after = transition.after;
+  if (transition.row->name == "T16.b") {
+    const Team team = *after.timeout_team;
+    return fmt::format("time-out for {}, {} left after it and {:.0f} s in all", world::name(team),
+                       after.timeout_num[team], world::seconds(after.timeout_time[team]));
+  }
+  if (transition.row->name == "T17.a") {
+    return fmt::format("the second half, ends are changed: kickoff for {}", world::name(after.kick_team));
+  }
+  const char* team = world::name(*transition.before.timeout_team);
+  if (transition.row->name == "T17.b") return fmt::format("the time-outs of {} are used up", team);
+  return fmt::format("{} ended its time-out", team);
+}
+
+bool stops(const Transition& transition) {
+  const auto& row = *transition.row;
+  return (row.from == world::Location::GameOn || row.from == world::Location::Setup) &&
+         row.to == world::Location::GameOff;
+}
+
+std::optional<world::RobotId> offender(const Transition& transition) {
+  if (transition.occurrence.foul) return transition.occurrence.foul->by;
+  if (const auto* twice = event<world::AttackerDoubleTouchedBall>(transition)) return twice->by;
+  const auto* kick = event<world::KickTaken>(transition);
+  if (!kick || !stops(transition)) return std::nullopt;
+  if (transition.row->name == "T18.b") return kick->attacker_near_area;
+  if (transition.row->name == "T18.c") return kick->opponent_near_ball;
+  return kick->wrong_half;
+}
+
+}  // namespace
+
+bool is_call(const Transition& transition) { return transition.command.has_value() || stops(transition); }
+
+Call explain(const Transition& transition, const world::RuleSet& rules) {
+  const GameState& after = transition.after;
+  Call call;
+  call.time = after.time;
+  call.row = transition.row->name;
+  call.event = transition.occurrence.event;
+  call.command = transition.command;
+  call.stops_play = stops(transition);
+  call.offender = offender(transition);
+  call.stage = after.stage;
+  call.score = after.score;
+  call.restart = restart_text(transition);
+  if (!call.restart.empty()) call.position = after.reset_position;
+
+  if (call.stops_play) {
+    call.sentence = fmt::format("{}, so {}", cause_of(transition, rules), call.restart);
+    if (call.position) call.sentence += " from " + text(*call.position);
+  } else if (call.row == "T10") {
+    call.sentence = "the match begins with a " + call.restart;
+  } else if (call.row == "T16.a") {
+    call.sentence = stage_end_text(transition);
+  } else if (transition.row->from == world::Location::Break || transition.row->to == world::Location::Break) {
+    call.sentence = break_text(transition);
+  } else {
+    call.sentence = progress_text(transition, rules);
+  }
+  return call;
+}
+
+std::string text(world::RobotId robot) {
+  return fmt::format("{} {}", world::name(robot.team), static_cast<int>(robot.number));
+}
+
+std::string text(const Vector2d& place) {
+  return fmt::format("({:.2f}, {:.2f}) m", without_minus_zero(place.x()), without_minus_zero(place.y()));
+}
+
+namespace {
+
+struct Describe {
+  world::Time time;
+  std::string operator()(const world::BallLeftFieldTouchLine& e) const {
+    return fmt::format("ball left over the touch line at {}, {}", text(e.location),
+                       last_touch_text(e.last_touch, time));
+  }
+  std::string operator()(const world::BallLeftFieldGoalLine& e) const {
+    return fmt::format("ball left over the goal line at {}, {}", text(e.location),
+                       last_touch_text(e.last_touch, time));
+  }
+  std::string operator()(const world::PossibleGoal& e) const { return goal_text(e, e.last_touch); }
+  std::string operator()(const world::BotKickedBallTooFast& e) const {
+    return fmt::format("{} kicked the ball at {:.1f} m/s from {}", text(e.by), e.speed, text(e.location));
+  }
+  std::string operator()(const world::BotDribbledBallTooFar& e) const {
+    return fmt::format("{} dribbled the ball from {} to {}", text(e.by), text(e.start), text(e.end));
+  }
+  std::string operator()(const world::AttackerDoubleTouchedBall& e) const {
+    return fmt::format("{} touched the ball again at {} after its own kick", text(e.by), text(e.location));
+  }
+  std::string operator()(const world::NoProgressInGame& e) const {
+    return fmt::format("the ball is stuck at {} for {:.0f} s", text(e.location), world::seconds(e.waited));
+  }
+  std::string operator()(const world::BallTouched& e) const {
+    return fmt::format("{} touched the ball at {}", text(e.touch.robot), text(e.touch.position));
+  }
+  std::string operator()(const world::KickTaken& e) const {
+    std::string sentence = fmt::format("{} took the kick from {}", text(e.by), text(e.location));
+    if (e.attacker_near_area) sentence += fmt::format(", {} was near the area", text(*e.attacker_near_area));
+    if (e.opponent_near_ball) sentence += fmt::format(", {} was near the ball", text(*e.opponent_near_ball));
+    if (e.wrong_half) sentence += fmt::format(", {} was in the wrong half", text(*e.wrong_half));
+    return sentence;
+  }
+  std::string operator()(const world::RobotsSettled& e) const {
+    return e.waited_too_long ? "the wait for robots to settle is over" : "robots are settled";
+  }
+};
+
+}  // namespace
+
+std::string describe(const world::GameEvent& event) { return std::visit(Describe{event.time}, event.what); }
+
+std::string format_call(const Call& call) {
+  const auto milliseconds =
+      std::chrono::round<std::chrono::milliseconds>(call.time.time_since_epoch()).count();
+  std::string command = "-";
+  if (call.command) {
+    command = world::name(call.command->kind);
+    if (world::has_team(call.command->kind)) command += fmt::format("({})", world::name(call.command->team));
+  }
+  return fmt::format("{:>3}:{:02}.{:03}  {:<10} {:<16} {}-{}  {}", milliseconds / 60000,
+                     milliseconds / 1000 % 60, milliseconds % 1000, call.row, command, call.score.yellow,
+                     call.score.blue, call.sentence);
+}
+
+}  // namespace referee

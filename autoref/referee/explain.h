@@ -1,0 +1,23 @@
+#pragma once
+
+#include "autoref/automaton/automaton.h"
+#include "autoref/referee/call.h"
+#include "sim/world/rules/rule_set.h"
+
+namespace referee {
+
+/// Whether anyone on the field notices the transition: it sends a command or stops play.
+bool is_call(const automaton::Transition& transition);
+
+/// The transition as a call, with its sentence.
+Call explain(const automaton::Transition& transition, const world::RuleSet& rules);
+
+/// One plain sentence about an event that was detected, without a decision: for watching.
+std::string describe(const world::GameEvent& event);
+
+/// "yellow 4"
+std::string text(world::RobotId robot);
+/// "(1.20, -2.90) m"
+std::string text(const world::Vector2d& place);
+
+}  // namespace referee
