@@ -1,0 +1,194 @@
+#include "tests/scenarios/story.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenarios {
+namespace {
+
+using world::Location;
+using world::Team;
+using world::Vector2d;
+
+referee::Setup setup_for(const View& view, const std::string& rules, double half_length) {
+  referee::Setup setup;
+  setup.rules = world::rule_set(rules);
+  setup.rules.half_length = world::from_seconds(half_length);
+  setup.first_kickoff = view.swap_colours ? Team::Blue : Team::Yellow;
+  setup.blue_on_positive_half = view.mirror_x == view.swap_colours;
+  setup.names = {"Y", "B"};
+  return setup;
+}
+
+std::string joined(std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  words.clear();
+  return text;
+}
+
+// Where robots wait: far from the ball's usual ways, from the areas and from the other half.
+Vector2d home(world::RobotId id) {
+  const double x = 1.5 + 0.5 * (id.number % 2);
+  const double y = -2.6 + 1.04 * id.number;
+  return {id.team == Team::Yellow ? -x : x, y};
+}
+
+constexpr double at_dribbler = 0.073 + 0.0215;  // [m] robot's centre to the ball's
+
+}  // namespace
+
+std::vector<View> all_views() {
+  std::vector<View> views;
+  for (const bool x : {false, true}) {
+    for (const bool y : {false, true}) {
+      for (const bool colours : {false, true}) views.push_back({x, y, colours});
+    }
+  }
+  return views;
+}
+
+std::string name(const View& view) {
+  std::string text = view.mirror_x ? "MirroredX" : "";
+  if (view.mirror_y) text += "MirroredY";
+  if (view.swap_colours) text += "ColoursSwapped";
+  return text.empty() ? "AsWritten" : text;
+}
+
+Story::Story(View view, const std::string& rules, double half_length)
+    : view_(view), referee_(setup_for(view, rules, half_length)) {
+  for (const Team team : world::both_teams) {
+    for (std::uint8_t number = 0; number < 6; ++number)
+      robots_.push_back({{team, number}, home({team, number})});
+  }
+}
+
+Story::Robot& Story::robot(world::RobotId id) {
+  return *std::find_if(robots_.begin(), robots_.end(), [&](const Robot& r) { return r.id == id; });
+}
+
+Vector2d Story::turned(const Vector2d& place) const {
+  return {view_.mirror_x ? -place.x() : place.x(), view_.mirror_y ? -place.y() : place.y()};
+}
+
+world::TrackedFrame Story::frame() {
+  world::TrackedFrame frame;
+  frame.time = world::tick_time(tick_);
+  world::TrackedBall ball;
+  ball.position.head<2>() = turned(ball_);
+  ball.velocity.head<2>() = turned((ball_ - ball_before_) * world::ticks_per_second);
+  ball.observed = !ball_hidden_;
+  frame.ball = ball;
+  ball_before_ = ball_;
+  for (const Robot& robot : robots_) {
+    world::TrackedRobot tracked;
+    tracked.id = seen(robot.id);
+    tracked.position = turned(robot.place);
+    tracked.velocity = turned(robot.velocity);
+    tracked.observed = true;
+    tracked.ball_in_reach = robot.ball_in_reach;
+    frame.robots.push_back(tracked);
+  }
+  std::ranges::sort(frame.robots, {}, &world::TrackedRobot::id);
+  for (const auto& [tick, touch] : touches_) {
+    if (tick == tick_) frame.touches.push_back(touch);
+  }
+  return frame;
+}
+
+void Story::host(const referee::Output& output) {
+  if (output.ball_reset && !reset_)
+    reset_ = {tick_ + world::ticks_per_second / 2, turned(*output.ball_reset)};
+  if (reset_ && reset_->first <= tick_) {
+    put_ball(reset_->second);
+    reset_.reset();
+    if (robots_go_home_) {
+      for (Robot& robot : robots_) robot.place = home(robot.id);
+    }
+  }
+}
+
+void Story::tick() {
+  ++tick_;
+  const referee::Output output = referee_.update(frame());
+  for (const referee::Call& call : output.calls) {
+    calls_.push_back(call);
+    if (!call.command) continue;
+    std::string text = world::name(call.command->kind);
+    if (world::has_team(call.command->kind)) {
+      text += std::string("(") + world::name(seen(call.command->team)) + ")";
+    }
+    commands_.push_back(text);
+  }
+  for (const referee::TransitionRecord& record : referee_.transitions()) {
+    if (record.row != "T14") rows_.emplace_back(record.row);
+  }
+  host(output);
+}
+
+void Story::wait(double seconds) {
+  const long ticks = std::lround(seconds * world::ticks_per_second);
+  for (long i = 0; i < ticks; ++i) tick();
+}
+
+bool Story::wait_for(Location location, double limit) {
+  for (double end = now() + limit; now() < end;) {
+    if (state().location == location) return true;
+    tick();
+  }
+  return state().location == location;
+}
+
+void Story::put(world::RobotId id, Vector2d place) { robot(id).place = place; }
+
+void Story::put_ball(Vector2d place) { ball_ = ball_before_ = place; }
+
+void Story::roll(Vector2d to, double speed) {
+  const double step = speed / world::ticks_per_second;
+  while ((to - ball_).norm() > step) {
+    ball_ += (to - ball_).normalized() * step;
+    tick();
+  }
+  ball_ = to;
+  tick();
+}
+
+void Story::kick(world::RobotId id, Vector2d to, double speed) {
+  put(id, ball_ - (to - ball_).normalized() * at_dribbler);
+  robot(id).ball_in_reach = true;
+  tick();
+  touch(id);
+  robot(id).ball_in_reach = false;
+  roll(to, speed);
+}
+
+void Story::dribble(world::RobotId id, Vector2d to, double speed) {
+  Robot& dribbler = robot(id);
+  const Vector2d way = (to - ball_).normalized();
+  const double step = speed / world::ticks_per_second;
+  dribbler.ball_in_reach = true;
+  while ((to - ball_).norm() > step) {
+    ball_ += way * step;
+    dribbler.place = ball_ - way * at_dribbler;
+    touch(id);
+    tick();
+  }
+  dribbler.ball_in_reach = false;
+}
+
+void Story::touch(world::RobotId id) {
+  touches_.emplace_back(tick_ + 3, world::Touch{seen(id), world::tick_time(tick_ + 1), turned(ball_), 1.0});
+}
+
+void Story::begin() {
+  wait_for(Location::Setup);
+  kick(yellow(1), {0.5, 0}, 2.0);
+  put(yellow(1), home(yellow(1)));
+  touch(yellow(2));
+  wait(0.1);
+}
+
+std::string Story::commands() { return joined(commands_); }
+std::string Story::rows() { return joined(rows_); }
+
+}  // namespace scenarios

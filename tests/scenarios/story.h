@@ -1,0 +1,107 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "autoref/referee/referee.h"
+
+namespace scenarios {
+
+/// How the story is shown to the referee: turned over or with the colours exchanged, it must end the same.
+struct View {
+  bool mirror_x = false;
+  bool mirror_y = false;
+  bool swap_colours = false;
+};
+
+/// All eight.
+std::vector<View> all_views();
+std::string name(const View& view);
+
+/// A game told in tracked frames, 60 a second: the referee at work, a host that puts the ball where it is
+/// wished half a second after the wish, and robots and ball that do as told.
+///
+/// The story is written as if yellow defended the goal at -x and had the first kickoff; places and teams are
+/// turned by the view on the way in and back on the way out. Both teams have six robots, none near the ball.
+class Story {
+ public:
+  explicit Story(View view = {}, const std::string& rules = "ssl-2015", double half_length = 600);
+
+  // --- What happens ---
+
+  void tick();
+  void wait(double seconds);
+  /// Ticks until the referee is in the location, at most `limit` seconds.
+  bool wait_for(world::Location location, double limit = 40);
+  /// Puts a robot somewhere, at rest.
+  void put(world::RobotId robot, world::Vector2d place);
+  void put_ball(world::Vector2d place);
+  /// The ball rolls straight to a place at constant speed [m/s]; it rests there.
+  void roll(world::Vector2d to, double speed = 3.0);
+  /// A robot steps behind the ball, facing the target, and the ball leaves it; the touch is reported two
+  /// frames late.
+  void kick(world::RobotId robot, world::Vector2d to, double speed = 3.0);
+  /// A robot moves with the ball at its dribbler.
+  void dribble(world::RobotId robot, world::Vector2d to, double speed = 1.0);
+  /// The touch detector says that the robot touched the ball now.
+  void touch(world::RobotId robot);
+  /// Robots go to their places when the ball is placed; not any more.
+  void keep_robots() { robots_go_home_ = false; }
+  void hide_ball(bool hidden = true) { ball_hidden_ = hidden; }
+  /// From INIT through the first kickoff into GAME_ON: yellow 1 taps the ball and steps back, yellow 2 has
+  /// touched it.
+  void begin();
+
+  // --- What came of it ---
+
+  referee::Referee& referee() { return referee_; }
+  const world::GameState& state() const { return referee_.state(); }
+  /// The commands so far, such as "STOP KICKOFF(yellow) READY", in the story's colours. Reading forgets them.
+  std::string commands();
+  /// Rows taken so far, without T14 (touches). Reading forgets them.
+  std::string rows();
+  const std::vector<referee::Call>& calls() const { return calls_; }
+  const referee::Call& last_call() const { return calls_.back(); }
+  /// In the story's colours and coordinates.
+  world::Team kick_team() const { return seen(state().kick_team); }
+  world::Vector2d reset_position() const { return turned(*state().reset_position); }
+  int score(world::Team team) const { return state().score[seen(team)]; }
+  world::Vector2d ball() const { return ball_; }
+  double now() const { return world::seconds(world::tick_time(tick_)); }
+  world::Team seen(world::Team team) const { return view_.swap_colours ? world::opponent(team) : team; }
+  world::RobotId seen(world::RobotId robot) const { return {seen(robot.team), robot.number}; }
+
+ private:
+  struct Robot {
+    world::RobotId id;
+    world::Vector2d place;
+    world::Vector2d velocity = world::Vector2d::Zero();
+    bool ball_in_reach = false;
+  };
+
+  Robot& robot(world::RobotId id);
+  world::Vector2d turned(const world::Vector2d& place) const;
+  world::TrackedFrame frame();
+  void host(const referee::Output& output);
+
+  View view_;
+  referee::Referee referee_;
+  std::int64_t tick_ = 0;
+  world::Vector2d ball_ = world::Vector2d::Zero();
+  world::Vector2d ball_before_ = world::Vector2d::Zero();
+  bool ball_hidden_ = false;
+  bool robots_go_home_ = true;
+  std::vector<Robot> robots_;
+  std::vector<std::pair<std::int64_t, world::Touch>> touches_;     // with the tick in which they are reported
+  std::optional<std::pair<std::int64_t, world::Vector2d>> reset_;  // with the tick in which the host obeys
+  std::vector<referee::Call> calls_;
+  std::vector<std::string> commands_;
+  std::vector<std::string> rows_;
+};
+
+constexpr world::RobotId yellow(int number) {
+  return {world::Team::Yellow, static_cast<std::uint8_t>(number)};
+}
+constexpr world::RobotId blue(int number) { return {world::Team::Blue, static_cast<std::uint8_t>(number)}; }
+
+}  // namespace scenarios
