@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/runner/program_files.h"
+#include "experiments/schedule/design.h"
+
+namespace runner {
+
+/// What is needed to make a result folder again, beside what the ledger holds.
+struct Manifest {
+  std::string experiment_hash;
+  schedule::Design design;
+  std::vector<ProgramFile> files;
+  std::string version;                    ///< of matchday
+  std::string protocol;                   ///< of the channel between host and team
+  std::vector<std::string> command_line;  ///< that made the folder
+};
+
+/// Writes the manifest with compiler, processor, date and, inside a git checkout, the commit.
+///
+/// Written when the folder is made and left alone afterwards: it says how the experiment began.
+///
+/// @throws record::StorageError when it cannot be written
+void write_manifest(const std::filesystem::path& file, const Manifest& manifest);
+
+}  // namespace runner

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/schedule/design.h"
+
+namespace runner {
+
+/// A file that a game depends on, and what is in it.
+struct ProgramFile {
+  std::filesystem::path path;
+  std::string hash;  ///< XXH3-128 of its bytes, 32 hexadecimal digits
+};
+
+/// Every file in the commands of the design's teams: the programs, found as they will be found when they are
+/// started, and the arguments that name existing files. Each once, sorted by path.
+///
+/// @throws std::invalid_argument naming condition, team and program when a program cannot be found
+std::vector<ProgramFile> program_files(const schedule::Design& design);
+
+/// One file by name.
+/// @throws std::invalid_argument when it cannot be read
+ProgramFile program_file(const std::filesystem::path& path);
+
+/// XXH3-128 of a text, 32 hexadecimal digits.
+std::string hash_of(const std::string& text);
+
+/// The identity of an experiment: equal for two runs whose games must be the same.
+///
+/// Over the canonical design (which has rule set and realism), the contents of the teams' files and of the
+/// program that plays the games, and `protocol`, the version of the channel between host and team. Paths do
+/// not count.
+std::string experiment_hash(const schedule::Design& design, const std::vector<ProgramFile>& files,
+                            const std::string& protocol);
+
+}  // namespace runner

@@ -1,0 +1,121 @@
+#include "experiments/runner/progress.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <ostream>
+
+namespace runner {
+namespace {
+
+constexpr std::chrono::milliseconds redraw{250};
+constexpr std::size_t widest = 110;  // columns
+
+std::string printed(const char* format, auto... values) {
+  std::array<char, 256> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+/// 4:31, or 2:04:31
+std::string hours(double seconds) {
+  const long whole = static_cast<long>(seconds + 0.5);
+  if (whole >= 3600) return printed("%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
+  return printed("%ld:%02ld", whole / 60, whole % 60);
+}
+
+bool a_is(const record::Attempt& attempt, record::Outcome outcome) {
+  const bool a_is_blue = attempt.a_colour == world::Team::Blue;
+  return outcome == (a_is_blue ? record::Outcome::BlueWins : record::Outcome::YellowWins);
+}
+
+std::string described(const record::Attempt& attempt) {
+  const record::MatchRecord& record = attempt.record;
+  const record::Outcome outcome = record::outcome(record);
+  const world::PerTeam<int>& goals = record.goals;
+  std::string text = printed("A %d:%d B", goals[attempt.a_colour], goals[world::opponent(attempt.a_colour)]);
+  if (outcome == record::Outcome::Void) {
+    text = "void: " + record.reason;
+  } else if (record.at_fault != record::Party::Nobody) {
+    text = std::string("forfeit, ") + (a_is(attempt, outcome) ? "B" : "A") + " at fault: " + record.reason;
+  }
+  return text + printed(" (%.1f s)", record.wall_seconds);
+}
+
+}  // namespace
+
+Progress::Progress(std::ostream& out, bool terminal, const schedule::Design& design, std::size_t total,
+                   std::size_t resolved)
+    : out_(out),
+      terminal_(terminal),
+      design_(design),
+      total_(total),
+      resolved_(resolved),
+      resolved_before_(resolved) {
+  for (const schedule::Condition& condition : design.conditions) scores_.push_back({condition.name});
+}
+
+void Progress::known(const record::Attempt& attempt) {
+  const auto score = std::find_if(scores_.begin(), scores_.end(),
+                                  [&](const Score& one) { return one.condition == attempt.key.condition; });
+  const record::Outcome outcome = record::outcome(attempt.record);
+  if (score == scores_.end() || outcome == record::Outcome::Void) return;
+  if (outcome == record::Outcome::Draw) {
+    ++score->draws;
+  } else if (a_is(attempt, outcome)) {
+    ++score->wins;
+  } else {
+    ++score->losses;
+  }
+}
+
+void Progress::ended(const record::Attempt& attempt, std::size_t resolved, Clock::time_point now) {
+  known(attempt);
+  resolved_ = resolved;
+  const bool notable = attempt.record.at_fault != record::Party::Nobody;
+  const std::string what = record::game_id(attempt.key) +
+                           (attempt.attempt > 1 ? printed(" (attempt %d)", attempt.attempt) : "") + ": " +
+                           described(attempt);
+  if (terminal_ && !notable) {
+    drawn_ = {};
+  } else if (terminal_) {
+    say(what);
+  } else {
+    out_ << what << "; " << line(now) << std::endl;
+  }
+}
+
+void Progress::tick(std::size_t running, Clock::time_point now) {
+  if (!terminal_ || now - drawn_ < redraw) return;
+  drawn_ = now;
+  std::string text = line(now) + printed(" | %zu running", running);
+  if (text.size() > widest) text = text.substr(0, widest - 3) + "...";
+  out_ << "\r\033[K" << text << std::flush;
+}
+
+void Progress::clear() {
+  if (terminal_) out_ << "\r\033[K" << std::flush;
+}
+
+void Progress::say(const std::string& sentence) {
+  clear();
+  out_ << sentence << std::endl;
+  drawn_ = {};
+}
+
+std::string Progress::line(Clock::time_point now) const {
+  std::string text = printed("%zu/%zu games", resolved_, total_);
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  const auto played = static_cast<double>(resolved_ - resolved_before_);
+  if (played > 0 && seconds > 0) {
+    text += printed(", %.1f/min", 60 * played / seconds);
+    text += ", " + hours(seconds / played * static_cast<double>(total_ - resolved_)) + " left";
+  }
+  for (const Score& score : scores_) {
+    text += (&score == &scores_.front() ? " | " : ", ") + score.condition +
+            printed(" %d-%d-%d", score.wins, score.draws, score.losses);
+  }
+  return text;
+}
+
+}  // namespace runner

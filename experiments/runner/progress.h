@@ -1,0 +1,57 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <iosfwd>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiments/record/attempt.h"
+#include "experiments/schedule/design.h"
+
+namespace runner {
+
+/// What a run says while it goes on: one line that is drawn over on a terminal, a line per game otherwise.
+class Progress {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// @param resolved  games that were there already
+  Progress(std::ostream& out, bool terminal, const schedule::Design& design, std::size_t total,
+           std::size_t resolved);
+
+  /// Takes in games that were there already, or the one that has just ended.
+  void known(const record::Attempt& attempt);
+  void ended(const record::Attempt& attempt, std::size_t resolved, Clock::time_point now = Clock::now());
+
+  /// Draws the line anew, at most a few times a second.
+  void tick(std::size_t running, Clock::time_point now = Clock::now());
+  /// Removes the line.
+  void clear();
+  /// A sentence of its own.
+  void say(const std::string& sentence);
+
+  /// "5/24 games, 4.2/min, 4:31 left | equal 2-1-1, half-speed 1-0-0"
+  std::string line(Clock::time_point now) const;
+
+ private:
+  struct Score {
+    std::string condition;
+    int wins = 0;  ///< of team A
+    int draws = 0;
+    int losses = 0;
+  };
+
+  std::ostream& out_;
+  bool terminal_;
+  const schedule::Design& design_;
+  std::size_t total_;
+  std::size_t resolved_;
+  std::size_t resolved_before_;
+  std::vector<Score> scores_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point drawn_{};
+};
+
+}  // namespace runner

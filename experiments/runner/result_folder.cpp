@@ -1,0 +1,48 @@
+#include "experiments/runner/result_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "experiments/record/ledger.h"
+
+namespace runner {
+
+namespace fs = std::filesystem;
+
+ResultFolder::ResultFolder(const fs::path& path) {
+  const auto fail = [&path](const std::string& problem, int error) {
+    throw record::StorageError("result folder " + path.string() + ": " + problem + ": " +
+                               std::generic_category().message(error));
+  };
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) fail("cannot be made", error.value());
+  path_ = fs::canonical(path);
+  lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0) fail("cannot be opened", errno);
+  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
+  const int reason = errno;
+  ::close(lock_);
+  if (reason != EWOULDBLOCK) fail("cannot be locked", reason);
+  throw record::StorageError(
+      "result folder " + path.string() +
+      ": another run is writing there; wait until it has ended, or give another --out");
+}
+
+ResultFolder::~ResultFolder() { ::close(lock_); }
+
+fs::path ResultFolder::game(const std::string& id, int attempt) const {
+  return path_ / "games" / id / std::to_string(attempt);
+}
+
+void ResultFolder::forget_game(const std::string& id) const {
+  std::error_code ignored;  // a leftover file is no reason to end a night
+  fs::remove_all(path_ / "games" / id, ignored);
+  fs::remove(path_ / "games", ignored);  // only when it is empty
+}
+
+}  // namespace runner

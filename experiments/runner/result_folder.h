@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace runner {
+
+/// The folder of one experiment's results, held for writing by one process at a time.
+///
+/// The lock goes with the process, however it ends.
+class ResultFolder {
+ public:
+  /// Makes the folder if there is none, and locks it.
+  ///
+  /// @throws record::StorageError when it cannot be made or another run holds it
+  explicit ResultFolder(const std::filesystem::path& path);
+  ResultFolder(const ResultFolder&) = delete;
+  ResultFolder& operator=(const ResultFolder&) = delete;
+  ~ResultFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path ledger() const { return path_ / "ledger.sqlite"; }
+  std::filesystem::path manifest() const { return path_ / "manifest.json"; }
+  /// games/<id>/<attempt>: what an attempt leaves behind.
+  std::filesystem::path game(const std::string& id, int attempt) const;
+
+  /// Throws away what the attempts of a game left behind.
+  void forget_game(const std::string& id) const;
+
+ private:
+  std::filesystem::path path_;  ///< absolute
+  int lock_ = -1;
+};
+
+}  // namespace runner

@@ -1,0 +1,270 @@
+#include "experiments/runner/run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <thread>
+
+#include "experiments/record/ledger.h"
+#include "tests/experiments/runner/support.h"
+
+namespace runner {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class RunTest : public testing::Test {
+ protected:
+  /// Options with a fake worker of these arguments, in a folder of its own.
+  RunOptions options(const std::string& folder, std::vector<std::string> arguments = {}) const {
+    RunOptions options;
+    options.out = folder_.path() / folder;
+    options.workers = 2;
+    options.worker_command = {FAKE_WORKER};
+    options.worker_command.insert(options.worker_command.end(), arguments.begin(), arguments.end());
+    options.limits.grace = std::chrono::milliseconds{50};
+    options.most_faults_in_a_row = 100;
+    return options;
+  }
+
+  Ending play(const RunOptions& options) {
+    std::ostringstream said;
+    const RunResult result = run(design_, options, said);
+    said_ = said.str();
+    return result.ending;
+  }
+
+  /// A run in a process of its own, as the user has it.
+  pid_t play_elsewhere(const RunOptions& options) const {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      std::ofstream nowhere("/dev/null");
+      const RunResult result = run(design_, options, nowhere);
+      ::_exit(result.ending == Ending::Interrupted ? 128 + result.signal : 0);
+    }
+    return child;
+  }
+
+  /// All attempts without what may differ from run to run.
+  std::vector<record::Attempt> table(const std::string& folder) const {
+    auto attempts = record::Ledger::read(folder_.path() / folder / "ledger.sqlite").attempts();
+    for (record::Attempt& attempt : attempts) {
+      attempt.started.clear();
+      attempt.worker = 0;
+      attempt.record.wall_seconds = 0;
+      attempt.record.costs.clear();
+    }
+    return attempts;
+  }
+
+  /// Processes whose command line names the folder of this test: workers that are still there.
+  int left_over() const {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator("/proc")) {
+      std::ifstream stream(entry.path() / "cmdline");
+      std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+      if (text.find(folder_.path().string()) != std::string::npos) ++count;
+    }
+    return count;
+  }
+
+  /// Killed processes take a moment to go.
+  bool nobody_left() const {
+    for (int i = 0; i < 200; ++i) {
+      if (left_over() == 0) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  }
+
+  TemporaryFolder folder_;
+  schedule::Design design_ = small_design(4);
+  std::string said_;
+};
+
+TEST_F(RunTest, PlaysEveryGameOnce) {
+  EXPECT_EQ(play(options("a")), Ending::Done);
+  EXPECT_EQ(table("a").size(), 16U);
+  EXPECT_THAT(said_, HasSubstr("16/16 games"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "a/games")) << "good games leave no files";
+  EXPECT_TRUE(fs::exists(folder_.path() / "a/manifest.json"));
+}
+
+TEST_F(RunTest, DoesNothingWhenAllIsThere) {
+  play(options("a"));
+  EXPECT_EQ(play(options("a")), Ending::Done);
+  EXPECT_EQ(table("a").size(), 16U);
+  EXPECT_THAT(said_, HasSubstr("16 of 16 games are there"));
+}
+
+TEST_F(RunTest, GivesTheSameTableWithAnyNumberOfWorkers) {
+  RunOptions one = options("one");
+  one.workers = 1;
+  RunOptions five = options("five");
+  five.workers = 5;
+  play(one);
+  play(five);
+  EXPECT_EQ(table("one"), table("five"));
+}
+
+TEST_F(RunTest, KilledAtAnyMomentAndContinuedGivesTheSameTable) {
+  const std::vector<std::string> fake = {"--milliseconds", "20", "--fail", "first"};
+  play(options("undisturbed", fake));
+  const std::vector<record::Attempt> expected = table("undisturbed");
+  ASSERT_GT(expected.size(), 16U) << "some games should have been void";
+
+  // Moments: before the folder exists, while the ledger is made, during the first games, later. Each run gets
+  // on.
+  for (const int milliseconds : {0, 2, 5, 10, 15, 25, 40, 60, 80, 110, 140, 20, 30}) {
+    const pid_t child = play_elsewhere(options("disturbed", fake));
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    EXPECT_TRUE(nobody_left()) << "after " << milliseconds << " ms";
+  }
+  EXPECT_EQ(play(options("disturbed", fake)), Ending::Done);
+
+  // A game that was void before its partner was started spares the partner; which one comes first is a matter
+  // of time, so only the attempts that count are compared.
+  const auto counted = [](const std::vector<record::Attempt>& attempts) {
+    std::vector<record::Attempt> result;
+    std::map<std::pair<std::string, int>, std::vector<const record::Attempt*>> pairs;
+    for (const auto& one : attempts) pairs[{one.key.condition, one.key.pair}].push_back(&one);
+    for (const auto& [key, all] : pairs) {
+      const record::PairState state = record::pair_state(all);
+      EXPECT_TRUE(state.complete());
+      for (const record::Attempt* leg : state.legs) result.push_back(*leg);
+    }
+    return result;
+  };
+  EXPECT_EQ(counted(table("disturbed")), counted(expected));
+}
+
+TEST_F(RunTest, StopsOnASignalWithoutLeavingAnyoneAndContinues) {
+  const std::vector<std::string> slow = {"--milliseconds", "100"};
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t child = play_elsewhere(options("a", slow));
+    std::this_thread::sleep_for(std::chrono::milliseconds(250));
+    ::kill(child, signal);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 128 + signal);
+    EXPECT_EQ(left_over(), 0);
+  }
+  const std::size_t before = table("a").size();
+  EXPECT_GT(before, 0U);
+  EXPECT_LT(before, 16U);
+  EXPECT_EQ(play(options("a")), Ending::Done);
+  play(options("b"));
+  EXPECT_EQ(table("a"), table("b"));
+}
+
+struct Fault {
+  const char* how;
+  const char* reason;
+};
+class RunFault : public RunTest, public testing::WithParamInterface<Fault> {};
+
+TEST_P(RunFault, IsAVoidAttemptWithItsReasonAndThePairIsPlayedAgain) {
+  design_ = small_design(1);
+  RunOptions faulty = options("a", {"--fail", "always", "--how", GetParam().how});
+  faulty.limits.silence = std::chrono::milliseconds{200};
+  faulty.limits.game = std::chrono::milliseconds{300};
+  faulty.workers = 1;
+  EXPECT_EQ(play(faulty), Ending::TooManyFaults);
+  EXPECT_THAT(said_, HasSubstr("2 pairs were given up after 3 void attempts"));
+  EXPECT_TRUE(nobody_left());
+  const auto attempts = table("a");
+  ASSERT_EQ(attempts.size(), 6U) << "the second leg is not started once the first is void";
+  for (const record::Attempt& attempt : attempts) {
+    EXPECT_EQ(record::outcome(attempt.record), record::Outcome::Void);
+    EXPECT_THAT(attempt.record.reason, HasSubstr(GetParam().reason));
+  }
+  EXPECT_TRUE(fs::exists(folder_.path() / "a/games/equal-0000-0/3/worker.log")) << "evidence is kept";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RunFault,
+                         testing::Values(Fault{"crash", "was ended by signal 9"},
+                                         Fault{"abort", "it said last: assertion failed: ball is round"},
+                                         Fault{"exit", "ended with code 3"},
+                                         Fault{"hang", "no sign of life from the worker"},
+                                         Fault{"flood", "the game took longer than"},
+                                         Fault{"silent", "left no usable result"},
+                                         Fault{"nonsense", "left no usable result"}),
+                         [](const auto& instance) { return std::string(instance.param.how); });
+
+TEST_F(RunTest, CountsAForfeitAndKeepsItsFiles) {
+  EXPECT_EQ(play(options("a", {"--fail", "first", "--how", "forfeit"})), Ending::Done);
+  EXPECT_EQ(table("a").size(), 16U);
+  int forfeits = 0;
+  for (const record::Attempt& attempt : table("a")) {
+    if (attempt.record.at_fault == record::Party::Nobody) continue;
+    ++forfeits;
+    EXPECT_TRUE(fs::exists(folder_.path() / "a/games" / record::game_id(attempt.key) / "1"));
+  }
+  EXPECT_GT(forfeits, 0);
+}
+
+TEST_F(RunTest, StopsAfterTooManyFaultsInARow) {
+  RunOptions faulty = options("a", {"--fail", "always", "--how", "exit"});
+  faulty.most_faults_in_a_row = 4;
+  faulty.workers = 1;
+  EXPECT_EQ(play(faulty), Ending::TooManyFaults);
+  EXPECT_EQ(table("a").size(), 4U);
+  EXPECT_THAT(said_, HasSubstr("4 games in a row were void"));
+  for (const auto& attempt : table("a"))
+    EXPECT_EQ(attempt.attempt, 1) << "no pair loses all its attempts at once";
+}
+
+TEST_F(RunTest, RefusesAFolderThatAnotherRunHolds) {
+  const pid_t child = play_elsewhere(options("a", {"--milliseconds", "200"}));
+  while (!fs::exists(folder_.path() / "a/manifest.json"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  try {
+    play(options("a"));
+    ADD_FAILURE();
+  } catch (const record::StorageError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("another run is writing there"));
+  }
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+}
+
+TEST_F(RunTest, RefusesAFolderOfAnotherExperiment) {
+  play(options("a"));
+  design_.seed = 12;
+  EXPECT_THROW(play(options("a")), record::StorageError);
+}
+
+TEST_F(RunTest, StartsNothingWhenAProgramIsMissing) {
+  design_.conditions[1].b.command = {"no-such-team"};
+  EXPECT_THROW(play(options("a")), std::invalid_argument);
+  EXPECT_FALSE(fs::exists(folder_.path() / "a"));
+}
+
+TEST_F(RunTest, WritesWhatIsNeededToMakeTheFolderAgain) {
+  RunOptions named = options("a");
+  named.command_line = {"matchday", "run", "small.toml"};
+  named.version = "0.1.0";
+  design_.text = "name = \"small\"\n";
+  play(named);
+  std::ifstream stream(folder_.path() / "a/manifest.json");
+  const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  const std::string hash = record::Ledger::read(folder_.path() / "a/ledger.sqlite").experiment().hash;
+  for (const std::string& part :
+       {hash, std::string("\"small.toml\""), std::string("\"compiler\""), std::string("\"commit\""),
+        std::string("\"processor\""), std::string("name = \\\"small\\\"\\n"), std::string("\"xxh3_128\"")}) {
+    EXPECT_THAT(text, HasSubstr(part));
+  }
+}
+
+}  // namespace
+}  // namespace runner
