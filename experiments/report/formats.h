@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "experiments/report/summary.h"
+
+namespace report {
+
+/// For a terminal, at most 110 columns.
+std::string as_text(const Summary& summary);
+/// For a web page or a note.
+std::string as_markdown(const Summary& summary);
+/// For a spreadsheet: a line per condition and way to count forfeits.
+std::string as_csv(const Summary& summary);
+/// For a program: everything.
+std::string as_json(const Summary& summary);
+
+/// The report in the format of that name: text, markdown, csv or json.
+///
+/// @throws std::invalid_argument naming the known ones
+std::string formatted(const Summary& summary, std::string_view format);
+
+}  // namespace report
