@@ -60,4 +60,9 @@ double BallEkf::update(const Vector2d& measured, double r) {
   return std::exp(-nis / 2) / (2 * std::numbers::pi * std::sqrt(det));
 }
 
+double normalised_square(const Vector2d& d, const Matrix2d& s) {
+  const double det = s(0, 0) * s(1, 1) - s(0, 1) * s(1, 0);
+  return (s(1, 1) * d.x() * d.x() - (s(0, 1) + s(1, 0)) * d.x() * d.y() + s(0, 0) * d.y() * d.y()) / det;
+}
+
 }  // namespace tracker

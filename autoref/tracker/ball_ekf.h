@@ -35,4 +35,7 @@ struct BallEkf {
   double update(const Vector2d& measured, double r);
 };
 
+/// Normalised square of an innovation of covariance `s`: chi-square with 2 degrees of freedom.
+double normalised_square(const Vector2d& innovation, const Matrix2d& s);
+
 }  // namespace tracker

@@ -13,10 +13,11 @@ constexpr double least_weight = 1e-4;  // so that no phase is ever ruled out for
 }  // namespace
 
 BallFilter::BallFilter(const world::Geometry& geometry, const Params& params)
-    : models_{BallModel{geometry.ball_slide_deceleration, density(params.sliding_noise)},
-              BallModel{geometry.ball_roll_deceleration, density(params.rolling_noise)},
+    : models_{BallModel{std::max(0.0, geometry.ball_slide_deceleration), density(params.sliding_noise)},
+              BallModel{std::max(0.0, geometry.ball_roll_deceleration), density(params.rolling_noise)},
               BallModel{0, density(params.erratic_noise)}},
-      r_(params.ball_sigma * params.ball_sigma) {}
+      r_(params.ball_sigma * params.ball_sigma),
+      switch_ratio_(geometry.ball_switch_ratio) {}
 
 void BallFilter::start(const Vector2d& position, const Vector2d& velocity, double velocity_sigma) {
   BallEkf belief;
@@ -80,10 +81,9 @@ void BallFilter::predict(double dt, bool near_robot) {
 double BallFilter::best_nis(const Vector2d& measured) const {
   double best = 0;
   for (int i = 0; i < phases; ++i) {
-    const Vector2d innovation = measured - beliefs_[i].position;
     Matrix2d s = beliefs_[i].position_cov;
     s.diagonal().array() += r_;
-    const double value = innovation.dot(s.inverse() * innovation);
+    const double value = normalised_square(measured - beliefs_[i].position, s);
     if (i == 0 || value < best) best = value;
   }
   return best;
@@ -96,7 +96,7 @@ double BallFilter::nis(const Vector2d& measured) const {
     const Vector2d spread = beliefs_[i].position - mean;
     s += weights_[i] * (beliefs_[i].position_cov + spread * spread.transpose());
   }
-  return (measured - mean).dot(s.inverse() * (measured - mean));
+  return normalised_square(measured - mean, s);
 }
 
 void BallFilter::update(const Vector2d& measured) {
@@ -112,6 +112,28 @@ void BallFilter::update(const Vector2d& measured) {
   double floored = 0;
   for (double& weight : weights_) floored += weight = std::max(weight / sum, least_weight);
   for (double& weight : weights_) weight /= floored;
+}
+
+BallFilter::Motion BallFilter::foretell(double dt) const {
+  Motion mean;
+  for (int i = 0; i < phases; ++i) {
+    const BallEkf& now = beliefs_[i];
+    const double speed = now.velocity.norm();
+    const double slide = models_[Slide].deceleration;
+    const double roll = models_[Roll].deceleration;
+    const double slide_time = i == Slide ? std::min(dt, (1 - switch_ratio_) * speed / slide) : 0;
+    const double roll_speed = speed - slide * slide_time;
+    const double roll_time = std::min(dt - slide_time, roll_speed / roll);
+    const double way =
+        (speed + roll_speed) / 2 * slide_time + (roll_speed - roll * roll_time / 2) * roll_time;
+    if (!(speed > 0)) {
+      mean.position += weights_[i] * now.position;
+      continue;
+    }
+    mean.position += weights_[i] * (now.position + now.velocity * (way / speed));
+    mean.velocity += weights_[i] * now.velocity * ((roll_speed - roll * roll_time) / speed);
+  }
+  return mean;
 }
 
 Vector2d BallFilter::position() const {

@@ -37,6 +37,14 @@ class BallFilter {
 
   void update(const Vector2d& measured);
 
+  struct Motion {
+    Vector2d position = Vector2d::Zero();  ///< [m]
+    Vector2d velocity = Vector2d::Zero();  ///< [m/s]
+  };
+  /// Where the ball will be if nothing touches it; leaves the filter as it is. A sliding ball is taken to
+  /// have just been kicked: it slides to the switch ratio of its present speed, then rolls.
+  Motion foretell(double dt) const;
+
   Vector2d position() const;  ///< [m] mean of the mixture
   Vector2d velocity() const;  ///< [m/s]
   double weight(Phase phase) const { return weights_[phase]; }
@@ -45,7 +53,8 @@ class BallFilter {
   void mix(double dt, bool near_robot);
 
   std::array<BallModel, phases> models_;
-  double r_;  // [m^2] measurement variance
+  double r_;             // [m^2] measurement variance
+  double switch_ratio_;  // rolling begins at this share of the kick's speed
   std::array<BallEkf, phases> beliefs_;
   std::array<double, phases> weights_{};
 };

@@ -171,27 +171,21 @@ void BallTrack::remember_hold(std::span<const world::TrackedRobot> robots) {
   }
 }
 
-std::optional<BallTrack::State> BallTrack::held(std::span<const world::TrackedRobot> robots) const {
+std::optional<BallFilter::Motion> BallTrack::held(std::span<const world::TrackedRobot> robots) const {
   if (!hold_) return std::nullopt;
   for (const world::TrackedRobot& robot : robots) {
     if (robot.id != hold_->robot) continue;
     const Vector2d arm = world::rotated(hold_->ball_local, robot.orientation);
-    return State{robot.position + arm, robot.velocity + robot.angular_velocity * Vector2d(-arm.y(), arm.x())};
+    return BallFilter::Motion{robot.position + arm,
+                              robot.velocity + robot.angular_velocity * Vector2d(-arm.y(), arm.x())};
   }
   return std::nullopt;
 }
 
 world::TrackedBall BallTrack::foretell(world::Time time, std::span<const world::TrackedRobot> robots) const {
-  State state{filter_.position(), filter_.velocity()};
   const world::Duration unseen = std::max(world::Duration{}, time - seen_);
   const auto carried = unseen > two_frames ? held(robots) : std::nullopt;
-  if (carried) {
-    state = *carried;
-  } else if (unseen.count() > 0) {
-    BallFilter ahead = filter_;
-    ahead.predict(world::seconds(unseen), false);
-    state = {ahead.position(), ahead.velocity()};
-  }
+  const BallFilter::Motion state = carried ? *carried : filter_.foretell(world::seconds(unseen));
   world::TrackedBall ball;
   ball.position.head<2>() = state.position;
   ball.velocity.head<2>() = state.velocity;

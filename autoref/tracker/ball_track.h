@@ -43,16 +43,12 @@ class BallTrack {
     world::RobotId robot;
     Vector2d ball_local = Vector2d::Zero();  // [m]
   };
-  struct State {
-    Vector2d position = Vector2d::Zero();
-    Vector2d velocity = Vector2d::Zero();
-  };
 
   bool follow(std::span<const world::DetectedBall> balls, world::Time time,
               std::span<const world::TrackedRobot> robots);
   void consider(const Vector2d& position, world::Time time);
   void take_over();
-  std::optional<State> held(std::span<const world::TrackedRobot> robots) const;
+  std::optional<BallFilter::Motion> held(std::span<const world::TrackedRobot> robots) const;
   bool could_be_struck(const Vector2d& from, const Vector2d& to,
                        std::span<const world::TrackedRobot> robots) const;
   void remember_hold(std::span<const world::TrackedRobot> robots);

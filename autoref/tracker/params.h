@@ -13,8 +13,8 @@ struct Params {
   double heading_sigma = 0.0035;  ///< [rad]
 
   // Ball. Process noise is white acceleration: a value a makes the velocity wander by a/60 m/s in a frame.
-  double rolling_noise = 0.3;    ///< [m/s^2] football.md 3.2
-  double sliding_noise = 1.0;    ///< [m/s^2] ours: published sliding decelerations are 3.0 to 3.9
+  double rolling_noise = 0.15;   ///< [m/s^2] ours, from NIS; football.md 3.2 proposes 0.3
+  double sliding_noise = 0.5;    ///< [m/s^2] ours, from NIS
   double erratic_noise = 12.0;   ///< [m/s^2] 0.2 m/s per frame, CMDragons' near a robot (football.md 3.1)
   double near_gap = 0.05;        ///< [m] hull to ball; a robot covers it in one frame at 3 m/s
   double kick_sigma = 5.0;       ///< [m/s] of the velocity after a collision: the next frame decides it
