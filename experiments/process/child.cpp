@@ -182,7 +182,9 @@ std::optional<Usage> usage(pid_t process) {
   double user = 0;
   double system = 0;
   fields >> user >> system;
-  result.cpu_seconds = (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+  const auto clock_ticks = static_cast<double>(::sysconf(_SC_CLK_TCK));
+  result.user_seconds = user / clock_ticks;
+  result.system_seconds = system / clock_ticks;
   return result;
 }
 
@@ -300,7 +302,8 @@ void Child::reap() {
   Exit exit;
   exit.signalled = WIFSIGNALED(status);
   exit.number = exit.signalled ? WTERMSIG(status) : WEXITSTATUS(status);
-  exit.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
+  exit.user_seconds = seconds(used.ru_utime);
+  exit.system_seconds = seconds(used.ru_stime);
   exit_ = exit;
 }
 

@@ -29,8 +29,10 @@ struct Command {
 /// How a process ended, and what it used.
 struct Exit {
   bool signalled = false;
-  int number = 0;          ///< exit code, or the signal's number
-  double cpu_seconds = 0;  ///< user and system, of it and the children it has waited for
+  int number = 0;  ///< exit code, or the signal's number
+  // Processor time [s] of it and the children it has waited for.
+  double user_seconds = 0;
+  double system_seconds = 0;
 
   bool clean() const { return !signalled && number == 0; }
   /// "ended with code 3", "was ended by signal 11 (Segmentation fault)"
@@ -40,7 +42,8 @@ struct Exit {
 /// Files in /proc of one process.
 struct Usage {
   std::int64_t peak_memory = 0;  ///< [bytes] VmHWM
-  double cpu_seconds = 0;        ///< user and system, so far
+  double user_seconds = 0;       ///< [s] of processor time so far
+  double system_seconds = 0;     ///< [s] the same, inside the kernel
 };
 /// Nothing when there is no such process any more.
 std::optional<Usage> usage(pid_t process);

@@ -93,6 +93,7 @@ struct Engine::State {
   vision::Cameras cameras;
   std::vector<world::PerTeam<world::TeamCommands>> queue;  // ring of latency + 1 ticks
   truth::Frame frame;
+  Timing* timing = nullptr;
 };
 
 Engine::Engine(Model model) : state_(std::make_unique<State>(std::move(model))) {}
@@ -122,12 +123,17 @@ void Engine::step(const world::PerTeam<world::TeamCommands>& commands) {
     const bool last = substep == world::substeps_per_tick;
     if (last || state.cameras.captures_after(substep)) {
       state.read_poses();
+      const auto begin = state.timing != nullptr ? std::chrono::steady_clock::now()
+                                                 : std::chrono::steady_clock::time_point{};
       state.cameras.capture(substep, now, frame.ball, frame.robots);
+      if (state.timing != nullptr) state.timing->vision += std::chrono::steady_clock::now() - begin;
     }
   }
   ++frame.tick;
   frame.time = world::tick_time(frame.tick);
 }
+
+void Engine::measure(Timing* timing) { state_->timing = timing; }
 
 std::int64_t Engine::tick() const { return state_->frame.tick; }
 world::Time Engine::time() const { return state_->frame.time; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -10,6 +11,11 @@
 #include "sim/world/robot_command.h"
 
 namespace engine {
+
+/// Where the time of a step goes; nothing in the simulation depends on it.
+struct Timing {
+  std::chrono::steady_clock::duration vision{};  ///< the cameras' share, summed up
+};
 
 /// The simulator: a constant Model, a State that changes, and `step`.
 ///
@@ -36,6 +42,9 @@ class Engine {
   /// robots that do not exist, and numbers that are not finite, count as nothing; of two for one robot the
   /// last one counts.
   void step(const world::PerTeam<world::TeamCommands>& commands);
+
+  /// Adds to `timing` from now on; null, as at first: no clock is read.
+  void measure(Timing* timing);
 
   std::int64_t tick() const;  ///< after n steps: n
   world::Time time() const;   ///< after n steps: tick_time(n)

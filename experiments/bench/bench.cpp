@@ -1,0 +1,91 @@
+#include "experiments/bench/bench.h"
+
+#include <ctime>
+#include <ostream>
+#include <stdexcept>
+
+#include "experiments/host/play.h"
+#include "experiments/host/processor.h"
+#include "sim/physics/reference_scene.h"
+
+namespace bench {
+namespace {
+
+double processor_seconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+// Processor time of one tick of the reference scene [s].
+double reference_tick() {
+  const double begin = processor_seconds();
+  const physics::ReferenceResult result = physics::run_reference_scene();
+  return (processor_seconds() - begin) / static_cast<double>(result.ticks);
+}
+
+}  // namespace
+
+record::MatchConfig standard_game() {
+  record::MatchConfig config;
+  config.seed = 7;
+  for (const world::Team team : world::both_teams) {
+    config.teams[team].name = "team-reference";
+    config.teams[team].command = {"team-reference"};
+  }
+  return config;
+}
+
+Figures measure(const BenchOptions& options) {
+  const host::BoundToProcessor bound(options.cpu);
+  Figures figures;
+  figures.realism = options.game.realism;
+  const double reference_before = reference_tick();
+
+  host::Stopwatch stopwatch;
+  host::Options how;
+  how.stopwatch = &stopwatch;
+  record::MatchRecord record = host::play(options.game, how);
+  if (record.termination != record::Termination::Finished) {
+    throw std::runtime_error(std::string("the game did not finish: ") + record.reason);
+  }
+  figures.reference_tick = (reference_before + reference_tick()) / 2;
+
+  const auto ticks = static_cast<double>(record.ticks);
+  figures.ticks = record.ticks;
+  figures.hash = record.hash;
+  figures.loop_seconds = stopwatch.loop_seconds;
+  auto& costs = record.costs;
+  const double teams_user = costs["user_seconds_yellow"] + costs["user_seconds_blue"];
+  figures.teams_cpu = teams_user + costs["system_seconds_yellow"] + costs["system_seconds_blue"];
+  figures.host_cpu = costs["user_seconds_host"] + costs["system_seconds_host"];
+
+  using host::Part;
+  for (const Part part : {Part::Physics, Part::Vision, Part::Messages, Part::Referee}) {
+    figures.rows.push_back(row_of(name(part), stopwatch.times(part)));
+  }
+  // The wall time of an exchange holds what the teams compute in it; what they spend in the kernel is the
+  // channel's.
+  figures.rows.push_back({"channel", stopwatch.mean(Part::Channel) - teams_user / ticks});
+  figures.rows.push_back(row_of(name(Part::Bookkeeping), stopwatch.times(Part::Bookkeeping)));
+  if (options.game.log) figures.rows.push_back(row_of(name(Part::Log), stopwatch.times(Part::Log)));
+  figures.rows.push_back({"team yellow", costs["user_seconds_yellow"] / ticks});
+  figures.rows.push_back({"team blue", costs["user_seconds_blue"] / ticks});
+  for (const Row& row : figures.rows) figures.sum += row.mean;
+
+  figures.memory_host = static_cast<std::int64_t>(costs["peak_memory_host"]);
+  figures.memory_yellow = static_cast<std::int64_t>(costs["peak_memory_yellow"]);
+  figures.memory_blue = static_cast<std::int64_t>(costs["peak_memory_blue"]);
+  figures.messages_per_tick = static_cast<double>(stopwatch.messages) / ticks;
+  figures.bytes_out_per_tick = static_cast<double>(stopwatch.bytes_out) / ticks;
+  figures.bytes_in_per_tick = static_cast<double>(stopwatch.bytes_in) / ticks;
+  return figures;
+}
+
+int bench(const BenchOptions& options, std::ostream& out) {
+  const Figures figures = measure(options);
+  out << (options.as_json ? json(figures) : table(figures));
+  return 0;
+}
+
+}  // namespace bench

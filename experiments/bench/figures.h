@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+/// One row of the cost table: what one part of a tick costs.
+struct Row {
+  std::string part;
+  double mean = 0;  ///< [s]
+  // Absent (negative) where only a sum over the game is known.
+  double median = -1;       ///< [s]
+  double ninety_nine = -1;  ///< [s] 99 % of the ticks cost less
+};
+
+/// Mean, median and 99 % quantile of the times of one part.
+Row row_of(std::string part, std::vector<double> seconds);
+
+/// What `matchday bench` measured.
+struct Figures {
+  std::string realism;
+  std::string hash;
+  std::int64_t ticks = 0;
+  double loop_seconds = 0;       ///< wall, of the stepped ticks
+  double reference_tick = 0;     ///< [s] processor time of one tick of the reference scene
+  std::vector<Row> rows;         ///< in DESIGN's order
+  double sum = 0;                ///< [s] of the rows' means
+  double host_cpu = 0;           ///< [s] processor time of the host, whole game
+  double teams_cpu = 0;          ///< [s] of both teams, whole game
+  std::int64_t memory_host = 0;  ///< [bytes] peaks
+  std::int64_t memory_yellow = 0;
+  std::int64_t memory_blue = 0;
+  double messages_per_tick = 0;
+  double bytes_out_per_tick = 0;  ///< to both teams
+  double bytes_in_per_tick = 0;   ///< from both teams
+
+  double tick_wall() const { return loop_seconds / static_cast<double>(ticks); }
+  /// Simulated time over wall time, stepped ticks only.
+  double times_real_time() const;
+  /// The same over processor time, which other load on the machine does not change.
+  double times_real_time_cpu() const;
+};
+
+/// For a reader.
+std::string table(const Figures& figures);
+std::string json(const Figures& figures);
+
+}  // namespace bench

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "sim/wire/delimited.h"
+
+namespace host {
+
+/// Our end of the connection to one team: whole frames out, whole frames in.
+///
+/// Nothing here blocks for longer than `slice`, so that its owner can look after the rest of the game
+/// meanwhile. In the usual case one frame costs one system call each way.
+class Channel {
+ public:
+  enum class Status { Done, Waiting, Closed };
+  static constexpr std::chrono::milliseconds slice{50};
+
+  /// Takes the connected socket over.
+  explicit Channel(int socket);
+  Channel(Channel&& other) noexcept;
+  Channel(const Channel&) = delete;
+  Channel& operator=(Channel&&) = delete;
+  Channel& operator=(const Channel&) = delete;
+  ~Channel();
+
+  /// Writes `rest` and removes from it what went out. Waiting: some is left; call again.
+  Status send(std::string_view& rest);
+
+  /// The next frame's payload, valid until the next call; Waiting: none came within a slice.
+  /// @throws wire::FrameError when what came is not a frame
+  Status receive(std::span<const std::byte>& payload);
+
+  std::int64_t bytes_in() const { return bytes_in_; }
+
+ private:
+  int socket_;
+  wire::FrameReader reader_;
+  std::vector<std::byte> buffer_;
+  std::int64_t bytes_in_ = 0;
+};
+
+}  // namespace host

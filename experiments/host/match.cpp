@@ -1,0 +1,303 @@
+#include "experiments/host/match.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "sim/engine/realism.h"
+#include "sim/world/rules/rule_set.h"
+
+namespace host {
+namespace {
+
+using record::Termination;
+
+// A game of two halves of 10 minutes takes 20 to 25 simulated minutes; beyond this the referee is stuck
+// (DESIGN).
+constexpr world::Duration longest_game = std::chrono::minutes{40};
+
+}  // namespace
+
+world::RuleSet rules_of(const record::MatchConfig& config) {
+  world::RuleSet rules = world::rule_set(config.rules);
+  if (config.half_length) {
+    if (!(*config.half_length > 0 && *config.half_length <= 1200)) {  // also not a number
+      throw std::invalid_argument("half_length " + std::to_string(*config.half_length) +
+                                  ": more than 0 and at most 1200 seconds are possible");
+    }
+    rules.half_length = world::from_seconds(*config.half_length);
+  }
+  return rules;
+}
+
+engine::Model model_of(const record::MatchConfig& config) {
+  const world::RuleSet rules = rules_of(config);
+  engine::Model model;
+  model.geometry.field = rules.field;
+  model.geometry.cameras = world::quarter_cameras(rules.field);
+  model.blue_on_positive_half = config.blue_on_positive_half;
+  model.realism = engine::realism(config.realism);
+  model.seed = config.seed;
+  for (const world::Team team : world::both_teams) {
+    const record::TeamConfig& its = config.teams[team];
+    const std::string who = std::string(world::name(team)) + " (" + its.name + "): ";
+    if (its.command.empty() || its.command.front().empty())
+      throw std::invalid_argument(who + "command is empty");
+    if (its.robots.empty() || static_cast<int>(its.robots.size()) > rules.robots_per_team) {
+      throw std::invalid_argument(who + "robots lists " + std::to_string(its.robots.size()) +
+                                  " robots, 1 to " + std::to_string(rules.robots_per_team) + " are possible");
+    }
+    try {
+      model.robots[team] = engine::standard_robots(team, its.robots, its.speed_factor);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(who + error.what());
+    }
+  }
+  engine::check(model);
+  return model;
+}
+
+Match::Match(const record::MatchConfig& config, const Options& options)
+    : config_(config), options_(options), engine_(model_of(config)), idle_([this] { look_around(); }) {
+  for (const world::Team team : world::both_teams) {
+    teams_[team] = std::make_unique<TeamProcess>(
+        team, config_.teams[team], directory_.path() / (std::string(world::name(team)) + ".socket"));
+  }
+}
+
+record::MatchRecord Match::run() {
+  record::MatchRecord record;
+  try {
+    start_teams();
+    if (!anyone_at_fault()) greet_teams();
+    if (!anyone_at_fault()) {
+      create_referee();
+      play_ticks();
+    }
+    record.termination = Termination::Finished;
+    record.at_fault = record::Party::Nobody;
+  } catch (const Interrupted&) {
+    record.termination = Termination::Interrupted;
+    record.reason = "the game was interrupted";
+  } catch (const Overlong&) {
+    record.termination = Termination::Overlong;
+    record.reason = "the game was not over after 40 simulated minutes";
+  }
+  end(record);
+  return record;
+}
+
+void Match::start_teams() {
+  if (!config_.directory.empty()) std::filesystem::create_directories(config_.directory);
+  // Both are tried, so that both are to blame when neither starts.
+  for (const world::Team team : world::both_teams) teams_[team]->start(config_.directory);
+}
+
+void Match::greet_teams() {
+  const Deadline deadline(options_.connect_deadline);
+  for (const world::Team team : world::both_teams) teams_[team]->accept(deadline, idle_);
+  for (const world::Team team : world::both_teams) {
+    teams_[team]->send(hello_frame(team, config_, engine_.model()), deadline, idle_);
+  }
+  for (const world::Team team : world::both_teams) {
+    TeamProcess& process = *teams_[team];
+    if (!process.receive(deadline, idle_)) continue;
+    const wire::proto::TeamMessage* message = process.message();
+    if (message == nullptr) continue;
+    if (!message->has_hello()) {
+      process.blame(Termination::Nonsense, "did not answer the hello with a hello");
+      continue;
+    }
+    const wire::proto::TeamHello& hello = message->hello();
+    if (hello.protocol_version() != wire::match_protocol_version) {
+      process.blame(Termination::Nonsense,
+                    "speaks protocol version " + std::to_string(hello.protocol_version()) +
+                        ", the host speaks " + std::to_string(wire::match_protocol_version));
+      continue;
+    }
+    const auto& robots = config_.teams[team].robots;
+    keeper_[team] = hello.has_keeper() ? static_cast<int>(hello.keeper())
+                                       : *std::min_element(robots.begin(), robots.end());
+    if (std::find(robots.begin(), robots.end(), keeper_[team]) == robots.end()) {
+      process.blame(Termination::Nonsense, "wants robot " + std::to_string(hello.keeper()) +
+                                               " as its keeper, which is not on the field");
+    }
+    versions_[team] = hello.name() + (hello.version().empty() ? "" : " " + hello.version());
+  }
+}
+
+void Match::create_referee() {
+  referee::Setup setup;
+  setup.rules = rules_of(config_);
+  setup.geometry = engine_.model().geometry;
+  setup.blue_on_positive_half = config_.blue_on_positive_half;
+  setup.first_kickoff = config_.first_kickoff;
+  setup.keeper = keeper_;
+  for (const world::Team team : world::both_teams) {
+    setup.names[team] = config_.teams[team].name;
+    setup.robots[team] = static_cast<int>(config_.teams[team].robots.size());
+  }
+  referee_ = std::make_unique<referee::Referee>(setup);
+
+  if (config_.log) {
+    wire::proto::Referee first;
+    wire::encode(referee_->message(), wire::Epoch{}, first);
+    first.set_source_identifier("matchday");
+    first.set_status_message(referee::setup_text(setup));
+    if (config_.log->has_parent_path()) std::filesystem::create_directories(config_.log->parent_path());
+    log_ = std::make_unique<LeagueLog>(*config_.log, setup.geometry, first);
+  }
+}
+
+void Match::play_ticks() {
+  if (options_.stopwatch != nullptr) engine_.measure(&timing_);
+  const auto begin = Deadline::Clock::now();
+  while (tick()) {
+    if (engine_.tick() % world::ticks_per_second == 0) {
+      look_around();
+      if (options_.on_second) options_.on_second(engine_.time(), referee_->state().score);
+      if (engine_.time().time_since_epoch() > longest_game) throw Overlong{};
+    }
+  }
+  if (log_) log_->close();
+  if (options_.stopwatch != nullptr) {
+    options_.stopwatch->loop_seconds = std::chrono::duration<double>(Deadline::Clock::now() - begin).count();
+    options_.stopwatch->bytes_in = teams_.yellow->bytes_in() + teams_.blue->bytes_in();
+  }
+}
+
+bool Match::tick() {
+  if (options_.stopwatch != nullptr) options_.stopwatch->begin_tick();
+  engine_.step(commands_);
+  if (options_.stopwatch != nullptr) {
+    options_.stopwatch->part_of_lap(Part::Vision, std::exchange(timing_.vision, {}));
+  }
+  lap(Part::Physics);
+
+  const referee::Output output = referee_->update(engine_.detections());
+  lap(Part::Referee);
+
+  hash_.add(engine_.truth(), commands_, referee_->message(), output.ball_reset);
+  report(tally_.add(output, *referee_));
+  act_on_wishes(output);
+  lap(Part::Bookkeeping);
+
+  messages_.encode(engine_, referee_->message(), output.message_changed);
+  lap(Part::Messages);
+  if (log_) {
+    log_->add(engine_.time(), messages_.packets(), messages_.fresh_referee());
+    lap(Part::Log);
+  }
+  if (output.finished) return false;
+
+  exchange();
+  return !anyone_at_fault();
+}
+
+void Match::exchange() {
+  world::PerTeam<std::string_view> frames;
+  for (const world::Team team : world::both_teams) frames[team] = messages_.frame(team, engine_);
+  lap(Part::Messages);
+
+  // Both are written before either is read: the teams think at the same time, or at least neither waits for
+  // the other.
+  const Deadline deadline(options_.reply_deadline);
+  for (const world::Team team : world::both_teams) teams_[team]->send(frames[team], deadline, idle_);
+  world::PerTeam<bool> came;
+  for (const world::Team team : world::both_teams) came[team] = teams_[team]->receive(deadline, idle_);
+  lap(Part::Channel);
+
+  for (const world::Team team : world::both_teams) {
+    if (came[team]) take_reply(team);
+  }
+  lap(Part::Messages);
+  if (options_.stopwatch != nullptr) {
+    options_.stopwatch->messages += 4;
+    options_.stopwatch->bytes_out += static_cast<std::int64_t>(frames.yellow.size() + frames.blue.size());
+  }
+}
+
+void Match::take_reply(world::Team team) {
+  TeamProcess& process = *teams_[team];
+  const wire::proto::TeamMessage* message = process.message();
+  if (message == nullptr) return;
+  if (!message->has_reply()) {
+    process.blame(Termination::Nonsense,
+                  "did not answer tick " + std::to_string(engine_.tick()) + " with a reply");
+    return;
+  }
+  const wire::proto::MatchReply& reply = message->reply();
+  if (reply.tick() != engine_.tick()) {
+    process.blame(Termination::Nonsense, "answered tick " + std::to_string(reply.tick()) + " when tick " +
+                                             std::to_string(engine_.tick()) + " was sent");
+    return;
+  }
+  wire::decode(reply.control(), commands_[team], bad_commands_[team]);
+  if (reply.has_request()) grant(team, reply.request());
+}
+
+void Match::grant(world::Team team, const wire::proto::Request& request) {
+  const auto is_ours = [&](std::uint32_t number) {
+    const auto& robots = config_.teams[team].robots;
+    return number <= world::max_robot_number &&
+           std::find(robots.begin(), robots.end(), static_cast<int>(number)) != robots.end();
+  };
+  if (request.timeout_start()) {
+    referee_->request_timeout(team);
+  } else if (request.timeout_end()) {
+    referee_->end_timeout(team);
+  } else if (request.has_keeper() && is_ours(request.keeper())) {
+    referee_->set_keeper(team, static_cast<int>(request.keeper()));
+  } else if (request.has_robot_to_leave() && is_ours(request.robot_to_leave())) {
+    robot_count_.prefer({team, static_cast<std::uint8_t>(request.robot_to_leave())});
+  } else {
+    messages_.refuse(team, "REQUEST_REFUSED", "the request names no robot of the team, or nothing");
+  }
+}
+
+void Match::act_on_wishes(const referee::Output& output) {
+  ball_reset_.update(output.ball_reset, referee_->state(), engine_);
+  robot_count_.update(referee_->message(), referee_->state(), engine_);
+}
+
+void Match::look_around() {
+  for (const world::Team team : world::both_teams) teams_[team]->drain();
+  if (options_.interrupted && options_.interrupted()) throw Interrupted{};
+}
+
+void Match::report(std::span<const record::CallEntry> entries) {
+  if (!options_.on_call) return;
+  for (const record::CallEntry& entry : entries) options_.on_call(entry, referee_->state().score);
+}
+
+void Match::lap(Part part) {
+  if (options_.stopwatch != nullptr) options_.stopwatch->lap(part);
+}
+
+void Match::end(record::MatchRecord& record) {
+  const std::optional<Fault>& yellow = teams_.yellow->fault();
+  const std::optional<Fault>& blue = teams_.blue->fault();
+  if (yellow || blue) {
+    const Fault& first = yellow ? *yellow : *blue;
+    record.termination = first.termination;
+    record.reason = first.reason;
+    record.at_fault = yellow ? record::Party::Yellow : record::Party::Blue;
+    if (yellow && blue) {
+      record.at_fault = record::Party::Both;
+      record.reason += "; " + blue->reason;
+    }
+  }
+  if (referee_) {
+    tally_.finish(*referee_, record);
+    for (const world::Team team : world::both_teams) {
+      record.counters[std::string("bad_commands_") + world::name(team)] = bad_commands_[team];
+    }
+  }
+  record.ticks = engine_.tick();
+  record.hash = hash_.digits();
+  record.versions = versions_;
+  const std::string farewell = record.reason.empty() ? "the game is over" : record.reason;
+  for (const world::Team team : world::both_teams) teams_[team]->end(farewell, options_.stop_grace);
+}
+
+}  // namespace host

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <memory>
+
+#include "experiments/host/ball_reset.h"
+#include "experiments/host/game_hash.h"
+#include "experiments/host/league_log.h"
+#include "experiments/host/messages.h"
+#include "experiments/host/play.h"
+#include "experiments/host/private_directory.h"
+#include "experiments/host/robot_count.h"
+#include "experiments/host/tally.h"
+#include "experiments/host/team_process.h"
+
+namespace host {
+
+/// What the simulator is given for a game of this configuration.
+/// @throws std::invalid_argument naming team, field and value
+engine::Model model_of(const record::MatchConfig& config);
+
+/// The rules of a game of this configuration.
+/// @throws std::invalid_argument naming the field and the value
+world::RuleSet rules_of(const record::MatchConfig& config);
+
+/// One game while it is played; see DESIGN, "One tick of a game".
+class Match {
+ public:
+  Match(const record::MatchConfig& config, const Options& options);
+
+  /// Start, ticks, end. The record lacks only wall time and costs.
+  record::MatchRecord run();
+
+  /// What the teams' processes have used, after run().
+  const process::Usage& usage(world::Team team) const { return teams_[team]->usage(); }
+
+ private:
+  struct Interrupted {};
+  struct Overlong {};
+
+  void start_teams();
+  void greet_teams();
+  void create_referee();
+  void play_ticks();
+  bool tick();  // false when the game is over
+  void exchange();
+  void take_reply(world::Team team);
+  void grant(world::Team team, const wire::proto::Request& request);
+  void act_on_wishes(const referee::Output& output);
+  void look_around();  // now and then, and while waiting
+  void report(std::span<const record::CallEntry> entries);
+  void lap(Part part);
+  bool anyone_at_fault() const { return teams_.yellow->fault() || teams_.blue->fault(); }
+  void end(record::MatchRecord& record);
+
+  record::MatchConfig config_;
+  const Options& options_;
+  PrivateDirectory directory_;
+  engine::Engine engine_;
+  world::PerTeam<std::unique_ptr<TeamProcess>> teams_;
+  TeamProcess::Idle idle_;
+  world::PerTeam<int> keeper_{};
+  world::PerTeam<std::string> versions_;
+
+  std::unique_ptr<referee::Referee> referee_;
+  std::unique_ptr<LeagueLog> log_;
+  BallReset ball_reset_;
+  RobotCount robot_count_;
+  TickMessages messages_;
+  GameHash hash_;
+  Tally tally_;
+  world::PerTeam<world::TeamCommands> commands_;
+  world::PerTeam<int> bad_commands_{};
+  engine::Timing timing_;  // only while measuring
+};
+
+}  // namespace host

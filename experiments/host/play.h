@@ -1,0 +1,48 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+
+#include "experiments/host/stopwatch.h"
+#include "experiments/record/match_config.h"
+#include "experiments/record/match_record.h"
+#include "sim/world/robot_id.h"
+#include "sim/world/time.h"
+
+namespace host {
+
+/// How a game is run, none of which changes what happens in it.
+struct Options {
+  int cpu =
+      -1;  ///< host and teams run on this processor only; -1: wherever the system likes (three times slower)
+  std::chrono::milliseconds connect_deadline{10'000};  ///< wall, from start to the team's hello
+  std::chrono::milliseconds reply_deadline{5'000};     ///< wall, for each reply
+  std::chrono::milliseconds stop_grace{1'000};         ///< between goodbye or TERM and KILL
+
+  /// Asked about 20 times a second (wall); true ends the game as Interrupted.
+  std::function<bool()> interrupted;
+  /// Called with every entry of the timeline as it happens, together with the score after it.
+  std::function<void(const record::CallEntry&, const world::PerTeam<int>& score)> on_call;
+  /// Called once per simulated second.
+  std::function<void(world::Time, const world::PerTeam<int>& score)> on_second;
+  /// Filled with the time each part of a tick took; null: nothing is measured.
+  Stopwatch* stopwatch = nullptr;
+};
+
+/// Plays one game in this process, with both teams as child processes, from the first STOP to POST or to a
+/// fault.
+///
+/// The record is complete whatever happens: what a team does wrong is its termination, party at fault and
+/// reason, and so is an internal error of ours (HarnessFault). When it returns, no process of the game is
+/// left.
+///
+/// @throws std::invalid_argument when the configuration names an unknown rule set or realism, or has
+/// impossible robots;
+///         nothing has been started then
+record::MatchRecord play(const record::MatchConfig& config, const Options& options = {});
+
+/// The same checks alone.
+/// @throws std::invalid_argument naming team, field and value
+void check(const record::MatchConfig& config);
+
+}  // namespace host

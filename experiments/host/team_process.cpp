@@ -1,0 +1,142 @@
+#include "experiments/host/team_process.h"
+
+#include <poll.h>
+
+#include <sstream>
+
+namespace host {
+namespace {
+
+using namespace std::chrono_literals;
+using record::Termination;
+
+// A process that closed its socket because it ends needs this long at most to be seen as ended (ours).
+constexpr auto farewell = 500ms;
+
+// " within 5 s", " within 0.3 s"
+std::string within(const Deadline& deadline) {
+  std::ostringstream text;
+  text << " within " << std::chrono::duration<double>(deadline.allowed).count() << " s";
+  return text.str();
+}
+
+}  // namespace
+
+TeamProcess::TeamProcess(world::Team team, const record::TeamConfig& config,
+                         const std::filesystem::path& socket)
+    : team_(team), config_(config), listener_(socket) {}
+
+void TeamProcess::blame(Termination termination, const std::string& what) {
+  if (fault_) return;
+  fault_ = Fault{termination, std::string(world::name(team_)) + " (" + config_.name + ") " + what};
+}
+
+void TeamProcess::start(const std::filesystem::path& directory) {
+  process::Command command;
+  command.arguments = config_.command;
+  command.environment = {{"MATCHDAY_SOCKET", listener_.path().string()}};
+  if (!directory.empty()) command.output = directory / (std::string(world::name(team_)) + ".log");
+  try {
+    child_.emplace(command);
+  } catch (const process::StartError& error) {
+    blame(Termination::NotStarted, std::string("did not start: ") + error.what());
+  }
+}
+
+void TeamProcess::accept(const Deadline& deadline, const Idle& while_waiting) {
+  while (!fault_ && !channel_) {
+    if (const auto socket = listener_.accept()) {
+      channel_.emplace(*socket);
+    } else if (child_->has_ended()) {
+      note_gone();
+    } else if (deadline.has_passed()) {
+      blame(Termination::NotConnected, "did not connect" + within(deadline));
+    } else {
+      pollfd watched{listener_.file(), POLLIN, 0};
+      ::poll(&watched, 1, 10);
+      while_waiting();
+    }
+  }
+}
+
+void TeamProcess::note_gone() {
+  if (!child_->wait(farewell)) {
+    blame(Termination::Closed, "closed the channel before the game was over");
+    return;
+  }
+  if (const auto used = process::usage(child_->pid())) usage_ = *used;
+  const process::Exit exit = child_->stop(0ms);
+  usage_.user_seconds = exit.user_seconds;
+  usage_.system_seconds = exit.system_seconds;
+  const char* when = channel_ ? " before the game was over" : " before it connected";
+  blame(exit.clean() ? Termination::Closed : Termination::Crashed, exit.describe() + when);
+}
+
+void TeamProcess::send(std::string_view frame, const Deadline& deadline, const Idle& while_waiting) {
+  while (!fault_) {
+    switch (channel_->send(frame)) {
+      case Channel::Status::Done:
+        return;
+      case Channel::Status::Closed:
+        note_gone();
+        return;
+      case Channel::Status::Waiting:
+        break;
+    }
+    if (deadline.has_passed())
+      blame(Termination::NotResponding, "did not read what it was sent" + within(deadline));
+    while_waiting();
+  }
+}
+
+bool TeamProcess::receive(const Deadline& deadline, const Idle& while_waiting) {
+  while (!fault_) {
+    Channel::Status status{};
+    try {
+      status = channel_->receive(payload_);
+    } catch (const wire::FrameError& error) {
+      blame(Termination::Nonsense, std::string("sent nonsense: ") + error.what());
+      return false;
+    }
+    if (status == Channel::Status::Done) return true;
+    if (status == Channel::Status::Closed || child_->has_ended()) {
+      note_gone();
+    } else if (deadline.has_passed()) {
+      blame(Termination::NotResponding, "did not answer" + within(deadline));
+    } else {
+      while_waiting();
+    }
+  }
+  return false;
+}
+
+const wire::proto::TeamMessage* TeamProcess::message() {
+  if (message_.ParseFromArray(payload_.data(), static_cast<int>(payload_.size()))) return &message_;
+  blame(Termination::Nonsense,
+        "sent " + std::to_string(payload_.size()) + " bytes that are not a TeamMessage");
+  return nullptr;
+}
+
+void TeamProcess::drain() {
+  if (child_) child_->drain();
+}
+
+void TeamProcess::end(const std::string& reason, std::chrono::milliseconds grace) {
+  if (!child_) return;
+  if (channel_) {
+    wire::proto::HostMessage goodbye;
+    goodbye.mutable_goodbye()->set_reason(reason);
+    std::string frame;
+    wire::append_frame(frame, goodbye);
+    std::string_view rest = frame;
+    channel_->send(rest);  // whoever does not take it, does not
+  }
+  if (const auto used = process::usage(child_->pid())) usage_ = *used;
+  if (!fault_) child_->wait(grace);
+  const process::Exit exit = child_->stop(grace);
+  usage_.user_seconds = exit.user_seconds;
+  usage_.system_seconds = exit.system_seconds;
+  channel_.reset();
+}
+
+}  // namespace host

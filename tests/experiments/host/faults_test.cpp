@@ -1,0 +1,203 @@
+// Every way in which a team can go wrong ends the game with the right party at fault, and leaves nothing
+// behind.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "experiments/host/play.h"
+#include "tests/fakes/games.h"
+
+namespace host {
+namespace {
+
+using namespace std::chrono_literals;
+using record::Party;
+using record::Termination;
+using testing::HasSubstr;
+
+// Living processes that got this variable from us; /proc shows what a process started with, so never
+// ourselves.
+int living_with(const std::string& variable) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::ifstream file(entry.path() / "environ");  // empty for a zombie
+    std::string text;
+    for (std::string piece; std::getline(file, piece, '\0');) {
+      if (piece == variable) ++count;
+    }
+  }
+  return count;
+}
+
+class Faults : public testing::Test {
+ protected:
+  Faults() {
+    ::setenv("HOST_TEST", std::to_string(::getpid()).c_str(), 1);
+    options_.connect_deadline = 10s;
+    options_.reply_deadline = 10s;
+    options_.stop_grace = 100ms;
+  }
+  ~Faults() override {
+    EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1) << "a child was not reaped";
+    const std::string variable = "HOST_TEST=" + std::to_string(::getpid());
+    for (int attempt = 0; attempt < 1000 && living_with(variable) > 0; ++attempt) ::usleep(5000);
+    EXPECT_EQ(living_with(variable), 0) << "processes were left behind";
+  }
+
+  record::MatchRecord play_against(const std::string& blue_mode) {
+    return play(fakes::short_game("good", blue_mode), options_);
+  }
+  static void expect_blue(const record::MatchRecord& record, Termination termination,
+                          const std::string& reason) {
+    EXPECT_EQ(record::name(record.termination), std::string(record::name(termination)));
+    EXPECT_EQ(record.at_fault, Party::Blue);
+    EXPECT_THAT(record.reason, HasSubstr("blue (Fake B) " + reason));
+    EXPECT_EQ(record::outcome(record), record::Outcome::YellowWins);
+  }
+
+  Options options_;
+};
+
+TEST_F(Faults, ProgramThatDoesNotExist) {
+  auto config = fakes::short_game("good", "good");
+  config.teams.blue.command = {"/nowhere/team"};
+  expect_blue(play(config, options_), Termination::NotStarted,
+              "did not start: program '/nowhere/team' does not exist");
+}
+
+TEST_F(Faults, NeitherProgramExists) {
+  auto config = fakes::short_game("good", "good");
+  config.teams.yellow.command = {"/nowhere/a"};
+  config.teams.blue.command = {"/nowhere/b"};
+  const auto record = play(config, options_);
+  EXPECT_EQ(record.termination, Termination::NotStarted);
+  EXPECT_EQ(record.at_fault, Party::Both);
+  EXPECT_THAT(record.reason, HasSubstr("'/nowhere/a' does not exist; blue"));
+  EXPECT_EQ(record::outcome(record), record::Outcome::Void);
+}
+
+TEST_F(Faults, NeverConnects) {
+  options_.connect_deadline = 1500ms;
+  expect_blue(play_against("never-connect"), Termination::NotConnected, "did not connect within 1.5 s");
+}
+
+TEST_F(Faults, NeverSaysHello) {
+  options_.connect_deadline = 1500ms;
+  expect_blue(play_against("no-hello"), Termination::NotResponding, "did not answer within 1.5 s");
+}
+
+TEST_F(Faults, EndsAtStart) {
+  expect_blue(play_against("exit-at-start"), Termination::Crashed, "ended with code 3 before it connected");
+}
+
+TEST_F(Faults, SpeaksAnOldVersion) {
+  expect_blue(play_against("old-version"), Termination::Nonsense,
+              "speaks protocol version 0, the host speaks 1");
+}
+
+TEST_F(Faults, NamesAKeeperItDoesNotHave) {
+  expect_blue(play_against("bad-keeper"), Termination::Nonsense, "wants robot 15 as its keeper");
+}
+
+TEST_F(Faults, StopsAnswering) {
+  options_.reply_deadline = 1s;
+  const auto record = play_against("silent");
+  expect_blue(record, Termination::NotResponding, "did not answer within 1 s");
+  EXPECT_EQ(record.ticks, 5);
+}
+
+TEST_F(Faults, IgnoresTerm) {
+  options_.reply_deadline = 1s;
+  expect_blue(play_against("ignore-term"), Termination::NotResponding, "did not answer within 1 s");
+}
+
+TEST_F(Faults, BothStopAnsweringInTheSameTick) {
+  options_.reply_deadline = 1s;
+  const auto record = play(fakes::short_game("silent", "silent"), options_);
+  EXPECT_EQ(record.at_fault, Party::Both);
+  EXPECT_EQ(record::outcome(record), record::Outcome::Void);
+}
+
+TEST_F(Faults, YellowIsToBlameWhenYellowIs) {
+  const auto record = play(fakes::short_game("crash", "good"), options_);
+  EXPECT_EQ(record.at_fault, Party::Yellow);
+  EXPECT_EQ(record::outcome(record), record::Outcome::BlueWins);
+}
+
+TEST_F(Faults, Crashes) {
+  const auto record = play_against("crash");
+  expect_blue(record, Termination::Crashed,
+              "was ended by signal 11 (Segmentation fault) before the game was over");
+  EXPECT_EQ(record.ticks, 5);
+}
+
+TEST_F(Faults, CrashesWithChildrenThatLiveOn) {
+  expect_blue(play_against("fork-children"), Termination::Crashed, "was ended by signal 11");
+}
+
+TEST_F(Faults, EndsQuietly) {
+  expect_blue(play_against("exit"), Termination::Closed, "ended with code 0 before the game was over");
+}
+
+TEST_F(Faults, ClosesTheChannelAndLivesOn) {
+  expect_blue(play_against("close"), Termination::Closed, "closed the channel before the game was over");
+}
+
+TEST_F(Faults, AnswersAnotherTick) {
+  expect_blue(play_against("wrong-tick"), Termination::Nonsense, "answered tick 4 when tick 5 was sent");
+}
+
+TEST_F(Faults, SendsBytesThatAreNoMessage) {
+  expect_blue(play_against("nonsense"), Termination::Nonsense, "sent 16 bytes that are not a TeamMessage");
+}
+
+TEST_F(Faults, SendsAHugeMessage) {
+  expect_blue(play_against("huge"), Termination::Nonsense, "sent nonsense: ");
+}
+
+TEST_F(Faults, FloodsTheChannel) {
+  expect_blue(play_against("flood"), Termination::Nonsense, "answered tick 5 when tick 6 was sent");
+}
+
+TEST_F(Faults, IsInterruptedByTheUser) {
+  int asked = 0;
+  options_.interrupted = [&asked] { return ++asked > 3; };
+  const auto record = play_against("good");
+  EXPECT_EQ(record.termination, Termination::Interrupted);
+  EXPECT_EQ(record.at_fault, Party::Harness);
+  EXPECT_EQ(record::outcome(record), record::Outcome::Void);
+}
+
+TEST_F(Faults, ALogThatCannotBeWrittenIsOurFault) {
+  auto config = fakes::short_game("good", "good");
+  config.log = "/proc/nowhere/game.log";
+  const auto record = play(config, options_);
+  EXPECT_EQ(record.termination, Termination::HarnessFault);
+  EXPECT_EQ(record.at_fault, Party::Harness);
+  EXPECT_THAT(record.reason, HasSubstr("/proc/nowhere"));
+}
+
+TEST_F(Faults, SlownessAndTalkAreNoFault) {
+  auto config = fakes::short_game("chatter", "not-numbers");
+  config.half_length = 1;
+  config.directory =
+      std::filesystem::path(testing::TempDir()) / ("faults_test_" + std::to_string(::getpid()));
+  const auto record = play(config, options_);
+  EXPECT_EQ(record.termination, Termination::Finished) << record.reason;
+  EXPECT_GT(record.counters.at("bad_commands_blue"), 0);
+  EXPECT_EQ(record.counters.at("bad_commands_yellow"), 0);
+  // 20 kB a tick would be tens of MB: the log of its output stops at 4 MiB.
+  EXPECT_LT(std::filesystem::file_size(config.directory / "yellow.log"), 5U << 20);
+  EXPECT_GT(std::filesystem::file_size(config.directory / "yellow.log"), 4U << 20);
+  std::filesystem::remove_all(config.directory);
+}
+
+}  // namespace
+}  // namespace host

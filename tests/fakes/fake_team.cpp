@@ -1,0 +1,220 @@
+// A team that misbehaves in one way, to see that the host notices, says so, and goes on.
+
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/wire/delimited.h"
+#include "sim/wire/match.h"
+
+namespace {
+
+constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK]
+
+  good          stands still
+  wander        drives its robots in circles given by the seed
+  never-connect runs but does not connect
+  exit-at-start ends with code 3 before it connects
+  no-hello      connects and is silent
+  old-version   says it speaks protocol version 0
+  bad-keeper    names a keeper it does not have
+  silent        stops answering at TICK
+  slow          takes 1 ms more for each answer
+  crash         ends by a signal at TICK
+  exit          ends with code 0 at TICK
+  close         closes the socket at TICK and lives on
+  wrong-tick    answers TICK with another number
+  nonsense      answers TICK with bytes that are no message
+  huge          answers TICK with a frame of 2 MiB
+  flood         sends answers without end from TICK on
+  chatter       prints 20 kB to standard output every tick
+  not-numbers   sends speeds that are not finite
+  ignore-term   stops answering at TICK, and ignores TERM
+  fork-children starts processes of its own that sleep, then crashes at TICK
+)";
+
+struct Arguments {
+  std::string mode = "good";
+  std::int64_t at = 5;
+};
+
+Arguments parse(int count, char** values) {
+  Arguments arguments;
+  for (int i = 1; i + 1 < count; i += 2) {
+    const std::string_view flag = values[i];
+    if (flag == "--mode") {
+      arguments.mode = values[i + 1];
+    } else if (flag == "--at") {
+      arguments.at = std::stoll(values[i + 1]);
+    } else {
+      throw std::invalid_argument("unknown flag " + std::string(flag));
+    }
+  }
+  if (count % 2 == 0) throw std::invalid_argument("a flag has no value");
+  if (usage.find("\n  " + arguments.mode + " ") == std::string_view::npos) {
+    throw std::invalid_argument("unknown mode " + arguments.mode);
+  }
+  return arguments;
+}
+
+[[noreturn]] void hang() {
+  while (true) ::pause();
+}
+
+class Connection {
+ public:
+  Connection() {
+    const char* path = std::getenv("MATCHDAY_SOCKET");
+    if (path == nullptr) throw std::runtime_error("MATCHDAY_SOCKET is not set");
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::strncpy(address.sun_path, path, sizeof address.sun_path - 1);
+    socket_ = ::socket(AF_UNIX, SOCK_STREAM, 0);
+    void* raw = &address;
+    if (::connect(socket_, static_cast<sockaddr*>(raw), sizeof address) != 0) {
+      throw std::runtime_error("cannot connect to " + std::string(path));
+    }
+  }
+
+  /// False when the host is gone.
+  bool send(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+      if (count <= 0) return false;
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+  }
+  bool send(const wire::proto::TeamMessage& message) const {
+    std::string frame;
+    wire::append_frame(frame, message);
+    return send(frame);
+  }
+
+  bool receive(wire::proto::HostMessage& message) {
+    while (true) {
+      if (const auto frame = reader_.next()) {
+        return message.ParseFromArray(frame->data(), static_cast<int>(frame->size()));
+      }
+      const ssize_t count = ::recv(socket_, buffer_.data(), buffer_.size(), 0);
+      if (count <= 0) return false;
+      reader_.append({buffer_.data(), static_cast<std::size_t>(count)});
+    }
+  }
+
+  void close() const { ::close(socket_); }
+
+ private:
+  int socket_ = -1;
+  wire::FrameReader reader_;
+  std::vector<std::byte> buffer_ = std::vector<std::byte>(65536);
+};
+
+void drive_in_circles(const wire::proto::MatchHello& hello, wire::proto::RobotControl& control) {
+  for (const std::uint32_t robot : hello.robots()) {
+    auto& command = *control.add_robot_commands();
+    command.set_id(robot);
+    auto& velocity = *command.mutable_move_command()->mutable_local_velocity();
+    const auto share = [&](int shift) {
+      return static_cast<float>((hello.seed() >> (shift + robot)) & 255U) / 255.0F;
+    };
+    velocity.set_forward(0.5F + share(0));
+    velocity.set_left(0);
+    velocity.set_angular(1.0F + 2.0F * share(20));
+    command.set_kick_speed(4);
+  }
+}
+
+void misbehave(const Arguments& arguments, const Connection& host, wire::proto::TeamMessage& message) {
+  const std::string& mode = arguments.mode;
+  if (mode == "silent") hang();
+  if (mode == "ignore-term") {
+    ::signal(SIGTERM, SIG_IGN);
+    hang();
+  }
+  if (mode == "crash" || mode == "fork-children") {
+    const rlimit no_core{0, 0};
+    ::setrlimit(RLIMIT_CORE, &no_core);
+    ::raise(SIGSEGV);
+  }
+  if (mode == "exit") std::exit(0);
+  if (mode == "close") {
+    host.close();
+    hang();
+  }
+  if (mode == "wrong-tick") message.mutable_reply()->set_tick(message.reply().tick() - 1);
+  if (mode == "nonsense") host.send(std::string("\x10") + std::string(16, '\xff'));
+  if (mode == "huge") host.send(std::string("\x80\x80\x80\x01") + std::string(std::size_t{2} << 20, 'x'));
+  if (mode == "flood") {
+    while (host.send(message)) {
+    }
+    hang();
+  }
+}
+
+int play(const Arguments& arguments) {
+  const std::string& mode = arguments.mode;
+  if (mode == "exit-at-start") return 3;
+  if (mode == "never-connect") hang();
+  if (mode == "fork-children") {
+    for (int child = 0; child < 2; ++child) {
+      if (::fork() == 0) hang();
+    }
+  }
+
+  Connection host;
+  if (mode == "no-hello") hang();
+  wire::proto::HostMessage from_host;
+  if (!host.receive(from_host) || !from_host.has_hello()) return 1;
+  const wire::proto::MatchHello hello = from_host.hello();
+  wire::proto::TeamMessage to_host;
+  to_host.mutable_hello()->set_protocol_version(mode == "old-version" ? 0 : wire::match_protocol_version);
+  to_host.mutable_hello()->set_name("fake-team");
+  to_host.mutable_hello()->set_version(mode);
+  if (mode == "bad-keeper") to_host.mutable_hello()->set_keeper(15);
+  host.send(to_host);
+
+  while (host.receive(from_host)) {
+    if (from_host.has_goodbye()) return 0;
+    const std::int64_t tick = from_host.tick().tick();
+    to_host.Clear();
+    to_host.mutable_reply()->set_tick(tick);
+    wire::proto::RobotControl& control = *to_host.mutable_reply()->mutable_control();
+    if (mode == "wander") drive_in_circles(hello, control);
+    if (mode == "not-numbers") {
+      drive_in_circles(hello, control);
+      control.mutable_robot_commands(0)->mutable_move_command()->mutable_local_velocity()->set_forward(
+          std::numeric_limits<float>::quiet_NaN());
+    }
+    if (mode == "slow") ::usleep(1000);
+    if (mode == "chatter") std::cout << std::string(20'000, '.') << std::flush;
+    if (tick >= arguments.at) misbehave(arguments, host, to_host);
+    if (!host.send(to_host)) return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  try {
+    return play(parse(count, values));
+  } catch (const std::exception& error) {
+    std::cerr << "fake-team: " << error.what() << "\n\n" << usage;
+    return 2;
+  }
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/record/match_config.h"
+
+namespace fakes {
+
+/// The command line of the scripted team; see tests/fakes/fake_team.cpp for the modes.
+inline std::vector<std::string> fake_team(const std::string& mode, int at_tick = 5) {
+  return {std::string(BIN_DIR) + "/fake-team", "--mode", mode, "--at", std::to_string(at_tick)};
+}
+
+/// A short game between two scripted teams: two halves of 10 s.
+inline record::MatchConfig short_game(const std::string& yellow_mode, const std::string& blue_mode) {
+  record::MatchConfig config;
+  config.teams.yellow.name = "Fake Y";
+  config.teams.yellow.command = fake_team(yellow_mode);
+  config.teams.blue.name = "Fake B";
+  config.teams.blue.command = fake_team(blue_mode);
+  config.seed = 7;
+  config.half_length = 10;
+  return config;
+}
+
+}  // namespace fakes
