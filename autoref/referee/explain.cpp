@@ -275,6 +275,22 @@ struct Describe {
 
 }  // namespace
 
+std::string kind_of(const world::GameEvent& event) {
+  struct Kind {
+    const char* operator()(const world::BallLeftFieldTouchLine&) const { return "touch line"; }
+    const char* operator()(const world::BallLeftFieldGoalLine&) const { return "goal line"; }
+    const char* operator()(const world::PossibleGoal&) const { return "goal"; }
+    const char* operator()(const world::BotKickedBallTooFast&) const { return "too fast"; }
+    const char* operator()(const world::BotDribbledBallTooFar&) const { return "dribbled too far"; }
+    const char* operator()(const world::AttackerDoubleTouchedBall&) const { return "double touch"; }
+    const char* operator()(const world::NoProgressInGame&) const { return "no progress"; }
+    const char* operator()(const world::BallTouched&) const { return "ball touched"; }
+    const char* operator()(const world::KickTaken&) const { return "kick taken"; }
+    const char* operator()(const world::RobotsSettled&) const { return "robots settled"; }
+  };
+  return std::visit(Kind{}, event.what);
+}
+
 std::string describe(const world::GameEvent& event) { return std::visit(Describe{event.time}, event.what); }
 
 std::string format_call(const Call& call) {

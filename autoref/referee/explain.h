@@ -15,6 +15,9 @@ Call explain(const automaton::Transition& transition, const world::RuleSet& rule
 /// One plain sentence about an event that was detected, without a decision: for watching.
 std::string describe(const world::GameEvent& event);
 
+/// Its name, such as "ball touched".
+std::string kind_of(const world::GameEvent& event);
+
 /// "yellow 4"
 std::string text(world::RobotId robot);
 /// "(1.20, -2.90) m"

@@ -1,0 +1,40 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "autoref/replay.h"
+
+int main(int argc, char** argv) {
+  using autoref::ReplayOptions;
+  CLI::App app("ssl-autoref: the referee over a recorded game");
+  app.require_subcommand(1);
+
+  ReplayOptions options;
+  CLI::App* replay = app.add_subcommand(
+      "replay", "read a league log (.log or .log.gz) and print every call with its reason");
+  replay->add_option("FILE", options.file, "the log")->required();
+  replay->add_option("--rules", options.rules, "rule set; default: that of the log, or ssl-2015");
+  replay->add_flag("--json", options.json, "one JSON object per line");
+  const std::map<std::string, ReplayOptions::Mode> modes = {{"auto", ReplayOptions::Mode::Auto},
+                                                            {"referee", ReplayOptions::Mode::Referee},
+                                                            {"watch", ReplayOptions::Mode::Watch}};
+  replay
+      ->add_option(
+          "--mode", options.mode,
+          "referee: decide anew; watch: follow the recorded referee and print what the detectors see; "
+          "auto: referee for logs of matchday, watch for all others")
+      ->transform(CLI::CheckedTransformer(modes).description("{auto,referee,watch}"));
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    std::cerr << "ssl-autoref: " << error.what() << " (ssl-autoref --help shows what is known)\n";
+    return 2;
+  }
+  try {
+    return autoref::replay(options, std::cout, std::cerr);
+  } catch (const std::exception& error) {
+    std::cerr << "ssl-autoref: " << error.what() << '\n';
+    return 2;
+  }
+}
