@@ -28,6 +28,9 @@ btDefaultCollisionConstructionInfo pools() {
   return info;
 }
 
+// 32 robots, the ball, 12 fixtures, and room to spare.
+constexpr unsigned short most_bodies = 128;
+
 // Bounds of the axis sweep: the walls and a little more.
 btVector3 bound(const world::Field& field, double s) {
   const double margin = field.boundary_width + 0.5;
@@ -73,7 +76,7 @@ BulletScene::BulletScene(const world::Field& field, std::span<const world::Robot
                          const Params& params)
     : configuration_(pools()),
       dispatcher_(&configuration_),
-      broadphase_(bound(field, -1), bound(field, 1)),
+      broadphase_(bound(field, -1), bound(field, 1), most_bodies, nullptr, true),  // no accelerator for rays
       world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
   world_.setGravity(btVector3(0, 0, 0));
   world_.setForceUpdateAllAabbs(false);

@@ -28,7 +28,7 @@ class ReferenceScene {
  public:
   ReferenceScene()
       : dispatcher_(&configuration_),
-        broadphase_(btVector3(-6, -4, -1), btVector3(6, 4, 4)),
+        broadphase_(btVector3(-6, -4, -1), btVector3(6, 4, 4), 256, nullptr, true),  // no ray accelerator
         world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
     world_.setGravity(btVector3(0, 0, 0));
     world_.getSolverInfo().m_numIterations = 10;
@@ -153,7 +153,8 @@ class ReferenceScene {
     return best;
   }
 
-  // One chaser of each team goes behind the ball and kicks it; the others drive to random targets.
+  // One chaser of each team drives at the ball and kicks it; the others drive to random targets, facing the
+  // ball.
   void decide() {
     const btVector3 ball = ball_->getWorldTransform().getOrigin();
     for (int i = 0; i < robot_count; ++i) {
@@ -162,12 +163,9 @@ class ReferenceScene {
       const double x = place.x(), y = place.y();
       double aim = 0;
       if (i == chaser(i < team_size ? 0 : team_size)) {
-        const double goal_x = i < team_size ? 4.5 : -4.5;
-        aim = std::atan2(-static_cast<double>(ball.y()), goal_x - ball.x());
-        const double behind = (x - ball.x()) * std::cos(aim) + (y - ball.y()) * std::sin(aim);
-        const double lead = behind < -0.05 ? -0.07 : -0.25;
-        robot.target_x = ball.x() + lead * std::cos(aim);
-        robot.target_y = ball.y() + lead * std::sin(aim);
+        aim = std::atan2(ball.y() - y, ball.x() - x);
+        robot.target_x = ball.x();
+        robot.target_y = ball.y();
         robot.until_new_target = 0;
         try_kick(robot);
       } else {
@@ -204,7 +202,7 @@ class ReferenceScene {
     robot.until_kick = 6;
   }
 
-  // A ball that lies still for 3 s, or in a goal, comes back to a random place.
+  // A ball that lies still or in a goal for 3 s, comes back to a random place.
   void rescue_ball() {
     const btVector3& ball = ball_->getWorldTransform().getOrigin();
     still_ = ball_->getLinearVelocity().length() < 0.05F || std::abs(ball.x()) > 4.52F ? still_ + 1 : 0;

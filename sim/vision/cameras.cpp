@@ -145,6 +145,7 @@ void Cameras::take_image(CameraState& camera, world::Time now, const truth::Ball
 
 Vector2d projected_to_ground(const Vector3d& camera, const Vector3d& ball, double ball_radius) {
   const double height = std::clamp(ball.z() - ball_radius, 0.0, 0.9 * camera.z());
+  if (height == 0) return ball.head<2>();  // to the bit
   const Vector2d foot = camera.head<2>();
   return foot + (ball.head<2>() - foot) * (camera.z() / (camera.z() - height));
 }
