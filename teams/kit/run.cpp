@@ -1,0 +1,45 @@
+#include "teams/kit/run.h"
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+
+#include "teams/kit/channel.h"
+
+namespace kit {
+
+int run(int argc, char** argv, Info info, const MakeTeam& make_team) {
+  Session::Options options{info.name, info.version, {}, false};
+  int keeper = -1;
+  info.flags.add("keeper", keeper, -1, 15, "number of the goalkeeper; -1 leaves the choice to the team");
+  info.flags.add("notes", options.notes, "send what each robot is doing to the game's log");
+  if (const auto code = info.flags.parse(argc, argv, info.name, info.description)) return *code;
+  if (keeper >= 0) options.keeper = keeper;
+
+  const char* path = std::getenv("MATCHDAY_SOCKET");
+  if (path == nullptr || *path == '\0') {
+    std::cerr
+        << info.name
+        << ": MATCHDAY_SOCKET is not set; a host starts this program, for example: matchday play --blue "
+        << info.name << "\n";
+    return 2;
+  }
+  try {
+    Channel channel(Channel::connect(path));
+    Session session(options, make_team);
+    while (!session.over()) {
+      const auto payload = channel.read();
+      if (!payload) {
+        std::cerr << info.name << ": the host closed the channel without a goodbye\n";
+        return 1;
+      }
+      channel.write(session.answer(*payload));
+    }
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << info.name << ": " << error.what() << "\n";
+    return 1;
+  }
+}
+
+}  // namespace kit

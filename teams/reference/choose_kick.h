@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "teams/reference/parameters.h"
+#include "teams/reference/situation.h"
+
+namespace reference {
+
+using world::Vector2d;
+
+/// What to do with the ball.
+struct Kick {
+  enum class Kind : std::uint8_t { Shot, Pass, Clear, Dribble };
+  Kind kind = Kind::Dribble;
+  Vector2d target = Vector2d::Zero();  ///< [m]
+  double direction = 0;                ///< [rad] of the kick
+  double speed = 0;                    ///< [m/s]
+  double angle = 0;                    ///< [rad] elevation
+  double tolerance = 0.05;             ///< [rad] the heading may be wrong by this
+  int receiver = -1;
+  double value = 0;  ///< chance of a goal from it, roughly
+};
+const char* name(Kick::Kind kind);
+
+/// What a kick may be now: rules of the restart.
+struct KickRules {
+  bool shot_allowed = true;      ///< false: an indirect kick
+  bool must_go_forward = false;  ///< a kickoff
+  bool must_kick = false;        ///< a restart: no dribbling
+};
+
+/// The best use of the ball where it lies: a shot when the opening promises a goal, else the best pass, else
+/// forward with the ball; from near the own goal away with it.
+///
+/// @param before  the choice of the tick before: kept unless another is better by 0.05
+Kick choose_kick(const kit::View& view, const Situation& situation, int kicker, KickRules rules,
+                 const Parameters& parameters, const std::optional<Kick>& before);
+
+/// What the ball is worth to us at a point [0..1]: the chance of a shot from there, and being farther up.
+double value_at(const kit::View& view, const Vector2d& point, int shooter);
+
+}  // namespace reference

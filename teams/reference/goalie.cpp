@@ -1,0 +1,123 @@
+#include "teams/reference/goalie.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "teams/skills/aim.h"
+#include "teams/skills/ball_handling.h"
+#include "teams/skills/motion.h"
+
+namespace reference {
+namespace {
+
+// The ball rolls towards our goal mouth: where its line crosses the goal line, or nothing.
+std::optional<Vector2d> threatens(const kit::View& view, const Situation& situation) {
+  const kit::Ball& ball = view.ball;
+  const double speed = ball.velocity.norm();
+  if (speed < 0.5 || ball.velocity.x() > -0.2) return {};
+  const double x = -view.field().half_length();
+  const double t = (x - ball.position.x()) / ball.velocity.x();  // in units of the velocity
+  if (t < 0) return {};
+  const Vector2d crossing = ball.position + t * ball.velocity;
+  if (std::abs(crossing.y()) > view.field().goal_width / 2 + 0.15) return {};
+  if (situation.model.stopping_distance(speed, ball.rolls_below) < (crossing - ball.position).norm())
+    return {};
+  return crossing;
+}
+
+// The point of the shot's line in front of the goal where the goalie has the most time to spare.
+Vector2d save_position(const kit::View& view, const Situation& situation, const kit::Robot& robot,
+                       const Vector2d& crossing) {
+  const kit::Ball& ball = view.ball;
+  const double speed = ball.velocity.norm();
+  const Vector2d along = ball.velocity / speed;
+  const double to_line = (crossing - ball.position).norm();
+  const skills::Limits limits = skills::driving_limits(robot.specs);
+  Vector2d best = crossing - along * 0.1;
+  double most = -1e9;
+  for (int i = 0; i <= 10; ++i) {
+    const double s = to_line - 0.08 - 0.1 * i;  // [m] along the ball's way, from the goal line out
+    if (s < 0) break;
+    const Vector2d point = ball.position + along * s;
+    const double ball_time = situation.model.time_to_cover(speed, ball.rolls_below, s);
+    const double own_time =
+        skills::time_to_touch(point - robot.position, robot.velocity, limits, 0.5 * robot.specs.radius);
+    const double slack = ball_time - own_time - 0.01 * i;
+    if (slack > most) {
+      most = slack;
+      best = point;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Vector2d guard_position(const kit::View& view, const kit::Robot& robot) {
+  const world::Field& field = view.field();
+  const Vector2d goal = view.own_goal();
+  const double half = field.goal_width / 2;
+  const Vector2d ball = view.ball.position;
+  // The bisector of the angle to both posts.
+  const Vector2d left = Vector2d(goal.x(), half) - ball;
+  const Vector2d right = Vector2d(goal.x(), -half) - ball;
+  const double first = left.norm();
+  const double second = right.norm();
+  const Vector2d cut =
+      (second * Vector2d(goal.x(), half) + first * Vector2d(goal.x(), -half)) / (first + second);
+  const Vector2d out = ball - cut;
+  const double distance = out.norm();
+  if (distance < 1e-6) return goal + Vector2d(0.3, 0);
+  // Farther out when the ball is near and central: 0.25 to 0.5 m (reference "football", 2.7).
+  const double near = std::clamp((4.0 - distance) / 3.0, 0.0, 1.0);
+  Vector2d place = cut + out / distance * std::min(0.25 + 0.25 * near, distance * 0.7);
+  place.x() = std::max(place.x(), goal.x() + robot.specs.radius + 0.02);
+  place.y() = std::clamp(place.y(), -half, half);
+  return place;
+}
+
+skills::Order play_goalie(const kit::View& view, const Situation& situation, const kit::Robot& robot) {
+  const kit::Ball& ball = view.ball;
+  const world::Field& field = view.field();
+  skills::Order order;
+  order.enter_own_area = true;
+  order.robot_margin = 0.0;
+  order.heading = world::angle_of(ball.position - robot.position);
+
+  if (const auto crossing = threatens(view, situation)) {
+    order.why = "save";
+    order.target = save_position(view, situation, robot, *crossing);
+    order.heading = world::angle_of(-ball.velocity);
+    order.dribble = true;
+    return order;
+  }
+  const double in_area = world::distance_to_defense_area(field, world::Side::Negative, ball.position);
+  const bool slow = ball.velocity.norm() < 1.0;
+  const bool playable = view.game.phase == kit::Phase::Running && view.game.forbidden != robot.number;
+  if (playable && slow && in_area < 0.1 && world::distance_outside_lines(field, ball.position) < 0) {
+    // Away with it, to the side where nobody stands.
+    std::array<skills::Blocker, 24> blockers;
+    std::size_t count = 0;
+    for (const auto* robots : {&view.own, &view.opponents}) {
+      for (const kit::Robot& other : *robots) {
+        if (other.position == robot.position || count == blockers.size()) continue;
+        blockers[count++] = {other.position, 0.2};
+      }
+    }
+    const skills::Opening opening = skills::widest_opening(
+        ball.position,
+        {ball.position + 3 * world::direction(-1.0), ball.position + 3 * world::direction(1.0)},
+        std::span(blockers.data(), count));
+    const bool holds = kit::holds_ball(robot, ball, field.ball_radius);
+    order = holds ? skills::turn_and_kick(view, robot, opening.direction, 5.0, 0, 0.3)
+                  : skills::approach_and_kick(view, robot, opening.direction, 5.0, 0, 0.3);
+    order.enter_own_area = true;
+    order.why = "clear";
+    return order;
+  }
+  order.why = "guard";
+  order.target = guard_position(view, robot);
+  return order;
+}
+
+}  // namespace reference

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "teams/kit/team.h"
+#include "teams/reference/parameters.h"
+#include "teams/reference/roles.h"
+#include "teams/reference/situation.h"
+#include "teams/reference/support.h"
+#include "teams/reference/winner.h"
+#include "teams/skills/steer.h"
+
+namespace reference {
+
+/// The reference team: observes, gives out roles, lets each tactic say an order, makes it legal for the phase
+/// of the game, and steers.
+class ReferenceTeam final : public kit::Team {
+ public:
+  ReferenceTeam(const kit::Setup& setup, const Parameters& parameters, bool notes = false)
+      : setup_(setup), parameters_(parameters), notes_(notes) {}
+
+  void play(const kit::View& view, world::TeamCommands& out) override;
+  std::string_view note() const override { return note_; }
+
+  /// The order of one robot in this tick; for tests and notes.
+  const skills::Order& order_of(int number) const { return orders_[static_cast<std::size_t>(number)]; }
+  const Roles& roles() const { return roles_; }
+
+ private:
+  skills::Order order_for(const kit::View& view, const Situation& situation, const kit::Robot& robot);
+  skills::Order winner_order(const kit::View& view, const Situation& situation, const kit::Robot& robot);
+  const kit::View& with_ball_in_place(const kit::View& view);
+  void hold_place(const kit::View& view, const kit::Robot& robot, skills::Order& order);
+  void write_note(const kit::View& view, const Situation& situation);
+
+  kit::Setup setup_;
+  Parameters parameters_;
+  bool notes_;
+
+  Observer observer_;
+  Roles roles_;
+  int defenders_ = 0;
+  int supports_ = 0;
+  Winner winner_;
+  Supports supports_tactic_;
+  skills::Steering steering_;
+  kit::View dead_ball_view_;
+  std::array<skills::Order, world::max_robot_number + 1> orders_;
+
+  // Places held while the ball is dead, so that the robots come to rest and the game goes on.
+  kit::Phase phase_ = kit::Phase::Halt;
+  double phase_began_ = 0;  // [s]
+  Vector2d phase_ball_ = Vector2d::Zero();
+  std::array<std::optional<Vector2d>, world::max_robot_number + 1> places_;
+  std::string note_;
+};
+
+}  // namespace reference

@@ -1,0 +1,103 @@
+#include "teams/skills/aim.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace skills {
+namespace {
+
+struct Edge {
+  double angle;  // [rad] from the segment's first end
+  int change;    // +1 a blocked interval begins, -1 it ends
+};
+constexpr std::size_t most_blockers = 24;
+
+}  // namespace
+
+Opening widest_opening(const Vector2d& from, const world::Segment& segment, std::span<const Blocker> blockers,
+                       std::optional<double> preferred, double bonus) {
+  const double first = world::angle_of(segment.from - from);
+  double span = world::wrap_angle(world::angle_of(segment.to - from) - first);
+  const double turn = span < 0 ? -1.0 : 1.0;
+  span = std::abs(span);
+  const Vector2d normal = world::rotated(segment.to - segment.from, M_PI / 2);
+  const double side = (from - segment.from).dot(normal);
+
+  std::array<Edge, 2 * most_blockers> edges;
+  std::size_t count = 0;
+  for (const Blocker& blocker : blockers) {
+    if (count + 2 > edges.size()) break;
+    // Beyond the segment: cannot be in the way.
+    if ((blocker.position - segment.from).dot(normal) * side < 0) continue;
+    const Vector2d to = blocker.position - from;
+    const double distance = to.norm();
+    const double half = distance <= blocker.radius ? M_PI / 2 : std::asin(blocker.radius / distance);
+    const double middle = turn * world::wrap_angle(world::angle_of(to) - first);
+    const double begin = std::max(middle - half, 0.0);
+    const double end = std::min(middle + half, span);
+    if (begin >= end) continue;
+    edges[count++] = {begin, 1};
+    edges[count++] = {end, -1};
+  }
+  std::sort(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(count),
+            [](const Edge& a, const Edge& b) {
+              return a.angle != b.angle ? a.angle < b.angle : a.change > b.change;
+            });
+
+  Opening best;
+  double best_score = 0;
+  const auto consider = [&](double begin, double end) {
+    if (end <= begin) return;
+    double score = end - begin;
+    if (preferred) {
+      const double aim = turn * world::wrap_angle(*preferred - first);
+      if (aim >= begin && aim <= end) score += bonus;
+    }
+    if (score <= best_score) return;
+    best_score = score;
+    best.width = end - begin;
+    best.direction = world::wrap_angle(first + turn * 0.5 * (begin + end));
+  };
+  int depth = 0;
+  double free_from = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (depth == 0 && edges[i].change > 0) consider(free_from, edges[i].angle);
+    depth += edges[i].change;
+    if (depth == 0) free_from = edges[i].angle;
+  }
+  consider(free_from, span);
+
+  const world::Segment ray{from, from + world::direction(best.direction)};
+  best.target = best.width > 0 ? world::line_intersection(ray, segment).value_or(segment.from)
+                               : Vector2d(0.5 * (segment.from + segment.to));
+  if (best.width <= 0) best.direction = world::angle_of(best.target - from);
+  return best;
+}
+
+Opening opening_to_goal(const kit::View& view, const Vector2d& from, double kick_speed, int shooter,
+                        std::optional<double> preferred) {
+  const world::Field& field = view.field();
+  std::array<Blocker, most_blockers> blockers;
+  std::size_t count = 0;
+  for (const kit::Robot& robot : view.opponents) {
+    if (count == blockers.size()) break;
+    const double flight = (robot.position - from).norm() / std::max(kick_speed, 1.0);
+    const double free = std::max(0.0, flight - 0.12);
+    const double covered = std::min(0.5 * robot.specs.max_acceleration * free * free, 0.25);
+    blockers[count++] = {robot.position, robot.specs.radius + field.ball_radius + covered};
+  }
+  for (const kit::Robot& robot : view.own) {
+    if (robot.number == shooter || count == blockers.size()) continue;
+    blockers[count++] = {robot.position, robot.specs.radius + field.ball_radius + 0.02};
+  }
+  const double post = field.goal_width / 2 - field.ball_radius;
+  const double x = field.half_length();
+  return widest_opening(from, {{x, -post}, {x, post}}, std::span(blockers.data(), count), preferred);
+}
+
+double kick_tolerance(double width) { return std::clamp(0.5 * width, 0.02, 0.1); }
+
+double chance_to_pass(double width, double sigma) { return std::erf(width / (2 * std::sqrt(2.0) * sigma)); }
+
+}  // namespace skills

@@ -1,0 +1,173 @@
+#include "teams/skills/motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace skills {
+
+Limits driving_limits(const world::RobotSpecs& specs, double share) {
+  return {specs.max_speed, specs.max_acceleration * share, specs.max_brake * share};
+}
+
+Limits turning_limits(const world::RobotSpecs& specs, double share) {
+  const double acceleration = specs.max_angular_acceleration * share;
+  return {specs.max_angular_speed, acceleration, acceleration};
+}
+
+Profile::Profile(double distance, double speed, const Limits& limits) : speed_(speed) {
+  const double vm = limits.speed;
+  const double a = limits.acceleration;
+  const double b = limits.brake;
+  const double stop = speed * std::abs(speed) / (2 * b);  // where braking at once would end
+  const double sign = distance < stop ? -1.0 : 1.0;
+  double d = sign * distance;
+  double v = sign * speed;
+  if (v < 0) {  // moving away from where the rest of the motion lies: brake to rest first
+    phases_[0] = {-v / b, sign * b};
+    d += v * v / (2 * b);
+    v = 0;
+  }
+  if (v > vm) {
+    phases_[1] = {(v - vm) / b, -sign * b};
+    d -= (v * v - vm * vm) / (2 * b);
+    v = vm;
+  }
+  const double peak_square = (2 * a * b * d + b * v * v) / (a + b);
+  if (peak_square <= vm * vm) {
+    const double peak = std::max(v, std::sqrt(std::max(peak_square, 0.0)));
+    phases_[2] = {(peak - v) / a, sign * a};
+    phases_[4] = {peak / b, -sign * b};
+  } else {
+    const double cruise = d - (vm * vm - v * v) / (2 * a) - vm * vm / (2 * b);
+    phases_[2] = {(vm - v) / a, sign * a};
+    phases_[3] = {std::max(cruise, 0.0) / vm, 0};
+    phases_[4] = {vm / b, -sign * b};
+  }
+}
+
+double Profile::duration() const {
+  double sum = 0;
+  for (const Phase& phase : phases_) sum += phase.duration;
+  return sum;
+}
+
+double Profile::position(double time) const {
+  double x = 0;
+  double v = speed_;
+  for (const Phase& phase : phases_) {
+    const double dt = std::clamp(time, 0.0, phase.duration);
+    x += v * dt + 0.5 * phase.acceleration * dt * dt;
+    v += phase.acceleration * dt;
+    time -= phase.duration;
+    if (time <= 0) break;
+  }
+  return x;
+}
+
+double Profile::velocity(double time) const {
+  double v = speed_;
+  for (const Phase& phase : phases_) {
+    const double dt = std::clamp(time, 0.0, phase.duration);
+    v += phase.acceleration * dt;
+    time -= phase.duration;
+    if (time <= 0) return v;
+  }
+  return 0;
+}
+
+double time_to_rest(double distance, double speed, const Limits& limits) {
+  const double vm = limits.speed;
+  const double a = limits.acceleration;
+  const double b = limits.brake;
+  const double stop = speed * std::abs(speed) / (2 * b);
+  const double sign = distance < stop ? -1.0 : 1.0;
+  double d = sign * distance;
+  double v = sign * speed;
+  double time = 0;
+  if (v < 0) {
+    time = -v / b;
+    d += v * v / (2 * b);
+    v = 0;
+  } else if (v > vm) {
+    time = (v - vm) / b;
+    d -= (v * v - vm * vm) / (2 * b);
+    v = vm;
+  }
+  const double peak_square = (2 * a * b * d + b * v * v) / (a + b);
+  if (peak_square <= vm * vm) {
+    const double peak = std::max(v, std::sqrt(std::max(peak_square, 0.0)));
+    return time + (peak - v) / a + peak / b;
+  }
+  const double cruise = d - (vm * vm - v * v) / (2 * a) - vm * vm / (2 * b);
+  return time + (vm - v) / a + std::max(cruise, 0.0) / vm + vm / b;
+}
+
+Drive::Drive(const Vector2d& to_target, const Vector2d& velocity, const Limits& limits) {
+  const double distance = to_target.norm();
+  const double speed = velocity.norm();
+  if (distance > 1e-6) {
+    axis_ = to_target / distance;
+  } else if (speed > 1e-6) {
+    axis_ = velocity / speed;
+  }
+  const double v_along = velocity.dot(axis_);
+  const double v_across = velocity.dot(Vector2d(-axis_.y(), axis_.x()));
+  const auto share = [&limits](double part) {
+    return Limits{limits.speed * part, limits.acceleration * part, limits.brake * part};
+  };
+  double along = 1;  // cosine of the angle that splits the limits
+  double across = 0.02;
+  if (std::abs(v_across) > 0.01) {
+    // T_along falls and T_across rises with the cosine: halve on their difference.
+    double low = 0.02;
+    double high = 0.9998;
+    for (int i = 0; i < 8; ++i) {
+      along = 0.5 * (low + high);
+      across = std::sqrt(1 - along * along);
+      const bool along_is_later =
+          time_to_rest(distance, v_along, share(along)) > time_to_rest(0, v_across, share(across));
+      (along_is_later ? low : high) = along;
+    }
+  }
+  along_ = Profile(distance, v_along, share(along));
+  across_ = Profile(0, v_across, share(across));
+}
+
+Vector2d Drive::position(double time) const {
+  return axis_ * along_.position(time) + Vector2d(-axis_.y(), axis_.x()) * across_.position(time);
+}
+
+Vector2d Drive::velocity(double time) const {
+  return axis_ * along_.velocity(time) + Vector2d(-axis_.y(), axis_.x()) * across_.velocity(time);
+}
+
+double travel_time(const Vector2d& to_target, const Vector2d& velocity, const Limits& limits) {
+  const double distance = to_target.norm();
+  if (distance < 1e-6) return velocity.norm() / limits.brake;
+  const double along = velocity.dot(to_target) / distance;
+  const double across = std::sqrt(std::max(velocity.squaredNorm() - along * along, 0.0));
+  return time_to_rest(distance, along, limits) + 0.5 * across / limits.brake;
+}
+
+double time_to_touch(const Vector2d& to_target, const Vector2d& velocity, const Limits& limits,
+                     double reach) {
+  const double d = to_target.norm() - reach;
+  if (d <= 0) return 0;
+  const double v = velocity.dot(to_target) / (d + reach);
+  const double a = limits.acceleration;
+  const double vm = limits.speed;
+  double time = 0;
+  double left = d;
+  double from = v;
+  if (from < 0) {
+    time = -from / limits.brake;
+    left += from * from / (2 * limits.brake);
+    from = 0;
+  }
+  from = std::min(from, vm);
+  const double speeding_up = (vm * vm - from * from) / (2 * a);
+  if (left <= speeding_up) return time + (std::sqrt(from * from + 2 * a * left) - from) / a;
+  return time + (vm - from) / a + (left - speeding_up) / vm;
+}
+
+}  // namespace skills

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+
+#include "sim/world/geometry.h"
+#include "sim/world/robot_specs.h"
+
+namespace skills {
+
+using world::Vector2d;
+
+/// What a motion may use.
+struct Limits {
+  double speed = 3;         ///< [m/s] or [rad/s]
+  double acceleration = 3;  ///< speeding up
+  double brake = 6;         ///< slowing down
+};
+
+/// A robot's own limits for driving, times a share kept in reserve for corrections.
+///
+/// 0.95: noise and the latency's remainder would otherwise ask for more than there is (ours).
+Limits driving_limits(const world::RobotSpecs& specs, double share = 0.95);
+Limits turning_limits(const world::RobotSpecs& specs, double share = 0.9);
+
+/// The fastest motion along one axis from `speed` now to rest at `distance`: at most one reversal, then
+/// accelerate, cruise, brake.
+///
+/// Source  reference "football", 2.2, generalised to a brake stronger than the acceleration: the top speed is
+///         v^2 = (2 a b d + b v0^2) / (a + b).
+class Profile {
+ public:
+  Profile() = default;
+  Profile(double distance, double speed, const Limits& limits);
+
+  double duration() const;
+  double position(double time) const;  ///< from the start [m]; the end is `distance`
+  double velocity(double time) const;
+
+ private:
+  struct Phase {
+    double duration = 0;
+    double acceleration = 0;
+  };
+  double speed_ = 0;
+  std::array<Phase, 5> phases_{};
+};
+
+/// Duration of that motion alone [s]; cheaper than the profile.
+double time_to_rest(double distance, double speed, const Limits& limits);
+
+/// Motion in the plane with both axes arriving together; the axes share the limits as cos and sin of an angle
+/// found by bisection.
+///
+/// Accuracy  |T_x - T_y| below 1 % of T after 8 halvings; each axis ends exactly at the target.
+/// Source    reference "football", 2.2. The axes lie along and across the line to the target, so that a robot
+/// at
+///           rest drives straight.
+class Drive {
+ public:
+  Drive(const Vector2d& to_target, const Vector2d& velocity, const Limits& limits);
+
+  double duration() const { return std::max(along_.duration(), across_.duration()); }
+  Vector2d position(double time) const;  ///< from the start [m]
+  Vector2d velocity(double time) const;
+
+ private:
+  Vector2d axis_ = Vector2d::UnitX();
+  Profile along_;
+  Profile across_;
+};
+
+/// Time to reach a point and rest there [s], by the line to it alone: for comparing robots, not for driving.
+///
+/// Accuracy  never more than the true time when the velocity points along the line; the sideways velocity is
+///           charged with the time to brake it.
+double travel_time(const Vector2d& to_target, const Vector2d& velocity, const Limits& limits);
+
+/// Time to come within `reach` of a point, passing it at any speed [s].
+double time_to_touch(const Vector2d& to_target, const Vector2d& velocity, const Limits& limits, double reach);
+
+}  // namespace skills
