@@ -7,7 +7,8 @@ namespace {
 
 constexpr double clear_distance = 0.05;  // [m] hull to the ball's surface
 constexpr double carry_margin = 0.03;    // [m]
-constexpr int carry_frames = 3;
+constexpr int clear_frames = 5;
+constexpr int carry_frames = 6;
 
 }  // namespace
 
@@ -28,7 +29,8 @@ std::vector<world::GameEvent> DoubleTouch::update(const world::TrackedFrame& fra
 
   const double travelled = (*ball - *state.kick_position).norm();
   const double gap = hull_distance(field_, *kicker, *ball) - field_.ball_radius;
-  if (!released_ && travelled > travel_ && gap > clear_distance) released_ = frame.time;
+  clear_ = travelled > travel_ && gap > clear_distance ? clear_ + 1 : 0;
+  if (!released_ && clear_ >= clear_frames) released_ = frame.time;
 
   carried_ = kicker->ball_in_reach && travelled > travel_ + carry_margin ? carried_ + 1 : 0;
   if (carried_ < carry_frames) return {};

@@ -1,0 +1,525 @@
+// One test per row of the paper's Tables 10 to 18: command, new location, what changes, and that nothing else
+// does.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+
+#include "autoref/automaton/automaton.h"
+#include "autoref/automaton/transitions.h"
+
+namespace automaton {
+namespace {
+
+using namespace std::chrono_literals;
+using enum world::CommandKind;
+using world::Command;
+using world::GameState;
+using world::Location;
+using world::RobotId;
+using world::Stage;
+using world::Team;
+using world::Time;
+using world::Vector2d;
+
+constexpr RobotId yellow_3{Team::Yellow, 3};
+constexpr RobotId blue_2{Team::Blue, 2};
+constexpr Time now{100s};
+
+template <class Value>
+void expect_same(const char* what, const Value& expected, const Value& actual) {
+  EXPECT_TRUE(expected == actual) << what << " is not as expected";
+}
+
+void expect_same_touch(const std::optional<world::Touch>& a, const std::optional<world::Touch>& b) {
+  ASSERT_EQ(a.has_value(), b.has_value());
+  if (!a) return;
+  EXPECT_TRUE(a->robot == b->robot && a->time == b->time && a->position == b->position) << "last_touch";
+}
+
+// Every field, so that a row cannot change one unnoticed.
+void expect_same_state(const GameState& expected, const GameState& actual) {
+  expect_same("location", expected.location, actual.location);
+  expect_same("stage", expected.stage, actual.stage);
+  expect_same("time", expected.time, actual.time);
+  expect_same("stage_end", expected.stage_end, actual.stage_end);
+  expect_same("timeout_time", expected.timeout_time, actual.timeout_time);
+  expect_same("timeout_num", expected.timeout_num, actual.timeout_num);
+  expect_same("timeout_team", expected.timeout_team, actual.timeout_team);
+  expect_same("reset_position", expected.reset_position, actual.reset_position);
+  expect_same("kick_deadline", expected.kick_deadline, actual.kick_deadline);
+  expect_same("call", expected.call, actual.call);
+  expect_same("restart", expected.restart, actual.restart);
+  expect_same("touch_team", expected.touch_team, actual.touch_team);
+  expect_same_touch(expected.last_touch, actual.last_touch);
+  expect_same("kick_team", expected.kick_team, actual.kick_team);
+  expect_same("goal_allowed", expected.goal_allowed, actual.goal_allowed);
+  expect_same("is_kickoff", expected.is_kickoff, actual.is_kickoff);
+  expect_same("kicker", expected.kicker, actual.kicker);
+  expect_same("kick_position", expected.kick_position, actual.kick_position);
+  expect_same("red_cards", expected.red_cards, actual.red_cards);
+  expect_same("yellow_times", expected.yellow_times, actual.yellow_times);
+  expect_same("first_kickoff", expected.first_kickoff, actual.first_kickoff);
+  expect_same("blue_on_positive_half", expected.blue_on_positive_half, actual.blue_on_positive_half);
+  expect_same("score", expected.score, actual.score);
+  expect_same("keeper", expected.keeper, actual.keeper);
+  expect_same("command", expected.command, actual.command);
+  expect_same("command_counter", expected.command_counter, actual.command_counter);
+  expect_same("command_time", expected.command_time, actual.command_time);
+  expect_same("location_time", expected.location_time, actual.location_time);
+}
+
+Occurrence seen(decltype(world::GameEvent::what) what) { return occurrence_of({now, std::move(what)}); }
+Occurrence request(Request::Kind kind, Team team) {
+  return {std::nullopt, std::nullopt, Request{kind, team}};
+}
+
+// One row under test: a state in the middle of a half, set up further, then one tick.
+class Rows : public ::testing::Test {
+ protected:
+  Rows() : rules_(world::rule_set("ssl-2015")), automaton_(rules_, {}) {
+    GameState& state = automaton_.state();
+    state.location = Location::GameOn;
+    state.stage = Stage::First;
+    state.stage_end = Time{600s};
+    state.time = now;
+    state.location_time = Time{50s};
+    state.call = Stop;
+    state.touch_team = Team::Blue;
+    state.last_touch = world::Touch{blue_2, Time{99s}, {1, 1}, 1.0};
+    state.reset_position = Vector2d{0.5, 0.5};
+    state.kick_position = Vector2d{0.25, 0.25};
+    state.command_counter = 7;
+    frame_.time = now;
+    frame_.ball = world::TrackedBall{};
+    frame_.ball->position << 1.5, -2.0, 0.0;
+  }
+
+  GameState& given(Location location) {
+    automaton_.state().location = location;
+    return automaton_.state();
+  }
+
+  // Expects exactly one row to be taken, with the effect described on a copy of the state.
+  void expect(std::string_view row, std::optional<Command> command, Location to, std::vector<Occurrence> what,
+              const std::function<void(GameState&)>& effect, bool enters = true) {
+    GameState expected = automaton_.state();
+    expected.location = to;
+    if (enters) expected.location_time = now;
+    if (command) {
+      expected.command = *command;
+      ++expected.command_counter;
+      expected.command_time = now;
+    }
+    effect(expected);
+    const auto taken = automaton_.take(frame_, what);
+    ASSERT_EQ(taken.size(), 1u) << "rows taken";
+    EXPECT_EQ(taken[0].row->name, row);
+    expect_same("command", taken[0].command, command);
+    expect_same_state(expected, automaton_.state());
+  }
+
+  // The call, kick team and place that a stopping row leaves.
+  static void next(GameState& s, world::CommandKind call, Team team, Vector2d place) {
+    s.call = s.restart = call;
+    s.kick_team = team;
+    s.reset_position = place;
+    s.is_kickoff = call == Kickoff;
+  }
+
+  world::RuleSet rules_;
+  Automaton automaton_;
+  world::TrackedFrame frame_;
+};
+
+TEST_F(Rows, T10BeginsTheMatch) {
+  GameState& state = given(Location::Init);
+  state.first_kickoff = Team::Blue;
+  state.stage = Stage::Post;
+  state.kicker = yellow_3;
+  state.goal_allowed = false;
+  expect("T10", Command{Stop}, Location::GameOff, {}, [](GameState& s) {
+    next(s, Kickoff, Team::Blue, {0, 0});
+    s.stage = Stage::PreFirst;
+    s.kicker.reset();
+    s.goal_allowed = true;
+  });
+}
+
+TEST_F(Rows, T11_1GoalIsAKickoffForTheTeamThatConceded) {
+  expect("T11.1", Command{Goal, Team::Yellow}, Location::GameOff,
+         {seen(world::PossibleGoal{Team::Blue, {}, {4.52, 0}})}, [](GameState& s) {
+           next(s, Kickoff, Team::Blue, {0, 0});
+           s.score.yellow = 1;
+         });
+}
+
+TEST_F(Rows, T11_2StuckBallIsANeutralStart) {
+  expect("T11.2", Command{Stop}, Location::GameOff, {seen(world::NoProgressInGame{{1.5, -2}, 12s})},
+         [](GameState& s) {
+           next(s, Start, s.kick_team, {1.5, -2});
+         });
+}
+
+TEST_F(Rows, T11_3MinorFoulIsAnIndirectFreeKick) {
+  expect("T11.3", Command{Stop}, Location::GameOff,
+         {seen(world::BotDribbledBallTooFar{yellow_3, {0, 0}, {1, 0}})}, [](GameState& s) {
+           next(s, Indirect, Team::Blue, {1, 0});
+         });
+}
+
+TEST_F(Rows, T11_3TooFastBallIsKickedFromWhereItWasKicked) {
+  expect("T11.3", Command{Stop}, Location::GameOff, {seen(world::BotKickedBallTooFast{blue_2, {-1, 2}, 9})},
+         [](GameState& s) {
+           next(s, Indirect, Team::Yellow, {-1, 2});
+         });
+}
+
+TEST_F(Rows, T11_4SeriousFoulIsADirectFreeKick) {
+  expect("T11.4", Command{Stop}, Location::GameOff,
+         {{std::nullopt, Foul{blue_2, {1, 0}, Severity::Serious}, {}}}, [](GameState& s) {
+           next(s, Direct, Team::Yellow, {1, 0});
+         });
+}
+
+TEST_F(Rows, T11_5SeriousFoulInOwnAreaIsAPenalty) {
+  expect("T11.5", Command{Stop}, Location::GameOff,
+         {{std::nullopt, Foul{blue_2, {4.2, 0}, Severity::Serious}, {}}}, [](GameState& s) {
+           next(s, Penalty, Team::Yellow, {3.5, 0});
+         });
+}
+
+TEST_F(Rows, T11_6DoubleTouchIsAnIndirectFreeKick) {
+  given(Location::GameOn).kicker = yellow_3;
+  expect("T11.6", Command{Stop}, Location::GameOff,
+         {seen(world::AttackerDoubleTouchedBall{yellow_3, {0.5, 1}})}, [](GameState& s) {
+           next(s, Indirect, Team::Blue, {0.5, 1});
+         });
+}
+
+TEST_F(Rows, T11_7TouchLineIsAnIndirectFreeKickFromInside) {
+  expect("T11.7", Command{Stop}, Location::GameOff, {seen(world::BallLeftFieldTouchLine{{}, {1.2, 3.0215}})},
+         [](GameState& s) {
+           next(s, Indirect, Team::Yellow, {1.2, 2.9});
+         });
+}
+
+TEST_F(Rows, T11_7GoalLineAfterTheDefenderIsACorner) {
+  expect("T11.7", Command{Stop}, Location::GameOff, {seen(world::BallLeftFieldGoalLine{{}, {4.5215, -1}})},
+         [](GameState& s) {
+           next(s, Direct, Team::Yellow, {4.4, -2.9});
+         });
+}
+
+TEST_F(Rows, T11_7GoalLineAfterTheAttackerIsAGoalKick) {
+  expect("T11.7", Command{Stop}, Location::GameOff, {seen(world::BallLeftFieldGoalLine{{}, {-4.5215, 1}})},
+         [](GameState& s) {
+           next(s, Direct, Team::Yellow, {-4.0, 2.9});
+         });
+}
+
+TEST_F(Rows, T11_7GoalStraightFromAnIndirectKickIsAnExit) {
+  given(Location::GameOn).goal_allowed = false;
+  expect("T11.7", Command{Stop}, Location::GameOff,
+         {seen(world::PossibleGoal{Team::Yellow, {}, {-4.5215, 0.2}})}, [](GameState& s) {
+           next(s, Direct, Team::Yellow, {-4.0, 2.9});
+         });
+}
+
+TEST_F(Rows, T12_1ReadyBeforeAHalfBeginsIt) {
+  GameState& state = given(Location::GameOff);
+  state.call = Ready;
+  state.stage = Stage::PreSecond;
+  state.stage_end.reset();
+  state.goal_allowed = false;
+  expect("T12.1", Command{Ready}, Location::Setup, {seen(world::RobotsSettled{})}, [](GameState& s) {
+    s.stage = Stage::Second;
+    s.stage_end = now + 10min;
+    s.goal_allowed = true;
+    s.kick_deadline = now + 10s;
+    s.kick_position = Vector2d{1.5, -2.0};
+  });
+}
+
+TEST_F(Rows, T12_2ReadyInAHalf) {
+  given(Location::GameOff).call = Ready;
+  automaton_.state().goal_allowed = false;
+  expect("T12.2", Command{Ready}, Location::Setup, {seen(world::RobotsSettled{})}, [](GameState& s) {
+    s.goal_allowed = true;
+    s.kick_deadline = now + 10s;
+    s.kick_position = Vector2d{1.5, -2.0};
+  });
+}
+
+TEST_F(Rows, T12_3DirectAllowsAGoal) {
+  given(Location::GameOff).call = Direct;
+  automaton_.state().goal_allowed = false;
+  automaton_.state().kick_team = Team::Blue;
+  expect("T12.3", Command{Direct, Team::Blue}, Location::Setup, {seen(world::RobotsSettled{})},
+         [](GameState& s) {
+           s.goal_allowed = true;
+           s.kick_deadline = now + 10s;
+           s.kick_position = Vector2d{1.5, -2.0};
+         });
+}
+
+TEST_F(Rows, T12_4IndirectAllowsNoGoal) {
+  given(Location::GameOff).call = Indirect;
+  expect("T12.4", Command{Indirect, Team::Yellow}, Location::Setup, {seen(world::RobotsSettled{})},
+         [](GameState& s) {
+           s.goal_allowed = false;
+           s.kick_deadline = now + 10s;
+           s.kick_position = Vector2d{1.5, -2.0};
+         });
+}
+
+TEST_F(Rows, I1NeutralStart) {
+  GameState& state = given(Location::GameOff);
+  state.call = Start;
+  state.goal_allowed = false;
+  state.kicker = yellow_3;
+  state.is_kickoff = true;
+  expect("I-1", Command{Start}, Location::GameOn, {seen(world::RobotsSettled{})}, [](GameState& s) {
+    s.goal_allowed = true;
+    s.kicker.reset();
+    s.is_kickoff = false;
+  });
+}
+
+TEST_F(Rows, T13KickTaken) {
+  given(Location::Setup).is_kickoff = true;
+  expect("T13", std::nullopt, Location::GameOn, {seen(world::KickTaken{yellow_3, {0, 0}, {}, {}, {}})},
+         [](GameState& s) {
+           s.kicker = yellow_3;
+           s.touch_team = Team::Yellow;
+           s.last_touch = world::Touch{yellow_3, now, {0, 0}, 1.0};
+           s.is_kickoff = false;
+         });
+}
+
+TEST_F(Rows, T14AnotherRobotTouches) {
+  GameState& state = given(Location::GameOn);
+  state.kicker = blue_2;
+  state.goal_allowed = false;
+  const world::Touch touch{yellow_3, now, {2, 2}, 1.0};
+  expect(
+      "T14", std::nullopt, Location::GameOn, {seen(world::BallTouched{touch})},
+      [&](GameState& s) {
+        s.kicker.reset();
+        s.goal_allowed = true;
+        s.touch_team = Team::Yellow;
+        s.last_touch = touch;
+      },
+      false);
+}
+
+TEST_F(Rows, T14IsNotForTheKickerItself) {
+  given(Location::GameOn).kicker = yellow_3;
+  const std::vector<Occurrence> touch = {seen(world::BallTouched{{yellow_3, now, {2, 2}, 1.0}})};
+  EXPECT_TRUE(automaton_.take(frame_, touch).empty());
+}
+
+TEST_F(Rows, T15_aAnnouncesTheKickoff) {
+  given(Location::GameOff).call = Kickoff;
+  expect("T15.a", Command{Kickoff, Team::Yellow}, Location::GameOff, {seen(world::RobotsSettled{})},
+         [](GameState& s) { s.call = Ready; });
+}
+
+TEST_F(Rows, T15_aAnnouncesThePenalty) {
+  given(Location::GameOff).call = Penalty;
+  expect("T15.a", Command{Penalty, Team::Yellow}, Location::GameOff, {seen(world::RobotsSettled{})},
+         [](GameState& s) { s.call = Ready; });
+}
+
+TEST_F(Rows, T15_bRemovesTheCardThatRanOut) {
+  given(Location::GameOff).yellow_times.blue = {5s, -1ns, 90s};
+  expect(
+      "T15.b", std::nullopt, Location::GameOff, {},
+      [](GameState& s) {
+        s.yellow_times.blue = {5s, 90s};
+      },
+      false);
+}
+
+TEST_F(Rows, T16_aEndsTheFirstHalf) {
+  given(Location::GameOff).stage_end = now - 1ns;
+  expect("T16.a", Command{Halt}, Location::Break, {}, [](GameState& s) {
+    s.stage = Stage::HalfTime;
+    s.stage_end = now;
+  });
+}
+
+TEST_F(Rows, T16_aEndsTheGame) {
+  GameState& state = given(Location::GameOff);
+  state.stage = Stage::Second;
+  state.stage_end = now - 1ns;
+  expect("T16.a", Command{Halt}, Location::Break, {}, [](GameState& s) {
+    s.stage = Stage::Post;
+    s.stage_end.reset();
+  });
+}
+
+TEST_F(Rows, T16_bGrantsATimeout) {
+  given(Location::GameOff);
+  expect("T16.b", Command{Timeout, Team::Blue}, Location::Break,
+         {request(Request::Kind::BeginTimeout, Team::Blue)}, [](GameState& s) {
+           s.timeout_team = Team::Blue;
+           s.timeout_num.blue = 3;
+         });
+}
+
+TEST_F(Rows, T16_bRefusesWhenNoneIsLeft) {
+  given(Location::GameOff).timeout_num.blue = 0;
+  const std::vector<Occurrence> wish = {request(Request::Kind::BeginTimeout, Team::Blue)};
+  EXPECT_TRUE(automaton_.take(frame_, wish).empty());
+}
+
+TEST_F(Rows, T17_aBeginsTheSecondHalfWithEndsChanged) {
+  GameState& state = given(Location::Break);
+  state.stage = Stage::HalfTime;
+  state.stage_end = now - 1ns;
+  expect("T17.a", Command{Kickoff, Team::Blue}, Location::GameOff, {}, [](GameState& s) {
+    next(s, Kickoff, Team::Blue, {0, 0});
+    s.call = Ready;
+    s.stage = Stage::PreSecond;
+    s.stage_end.reset();
+    s.blue_on_positive_half = false;
+  });
+}
+
+TEST_F(Rows, T17_bEndsATimeoutThatIsUsedUp) {
+  GameState& state = given(Location::Break);
+  state.timeout_team = Team::Yellow;
+  state.timeout_time.yellow = 0s;
+  state.restart = Direct;
+  expect("T17.b", Command{Stop}, Location::GameOff, {}, [](GameState& s) {
+    s.timeout_team.reset();
+    s.call = Direct;
+  });
+}
+
+TEST_F(Rows, T17_cEndsATimeoutOnRequest) {
+  GameState& state = given(Location::Break);
+  state.timeout_team = Team::Yellow;
+  state.restart = Kickoff;
+  expect("T17.c", Command{Stop}, Location::GameOff, {request(Request::Kind::EndTimeout, Team::Yellow)},
+         [](GameState& s) {
+           s.timeout_team.reset();
+           s.call = Kickoff;
+         });
+}
+
+TEST_F(Rows, T17_cIsForTheTeamThatCalledIt) {
+  given(Location::Break).timeout_team = Team::Yellow;
+  const std::vector<Occurrence> wish = {request(Request::Kind::EndTimeout, Team::Blue)};
+  EXPECT_TRUE(automaton_.take(frame_, wish).empty());
+}
+
+TEST_F(Rows, PostIsTheEnd) {
+  given(Location::Break).stage = Stage::Post;
+  automaton_.state().stage_end.reset();
+  frame_.time = now + 1000s;
+  EXPECT_TRUE(automaton_.take(frame_, {}).empty());
+}
+
+TEST_F(Rows, T18_aLateKickIsANeutralStart) {
+  given(Location::Setup).kick_deadline = now - 1ns;
+  expect("T18.a", Command{Stop}, Location::GameOff, {}, [](GameState& s) {
+    next(s, Start, Team::Yellow, {1.5, -2});
+  });
+}
+
+TEST_F(Rows, T18_bTeamMateNearTheAreaGivesTheKickAway) {
+  given(Location::Setup);
+  expect("T18.b", Command{Stop}, Location::GameOff,
+         {seen(world::KickTaken{yellow_3, {1, 1}, yellow_3, {}, {}})}, [](GameState& s) {
+           next(s, Indirect, Team::Blue, {1, 1});
+         });
+}
+
+TEST_F(Rows, T18_cOpponentNearTheBallMeansAgain) {
+  given(Location::Setup).restart = Direct;
+  expect("T18.c", Command{Stop}, Location::GameOff,
+         {seen(world::KickTaken{yellow_3, {1, 1}, {}, blue_2, {}})}, [](GameState& s) { s.call = Direct; });
+}
+
+TEST_F(Rows, T18_dWrongHalfMeansTheKickoffAgain) {
+  GameState& state = given(Location::Setup);
+  state.restart = Kickoff;
+  state.call = Ready;
+  state.is_kickoff = true;
+  expect("T18.d", Command{Stop}, Location::GameOff,
+         {seen(world::KickTaken{yellow_3, {0, 0}, {}, {}, blue_2})}, [](GameState& s) { s.call = Kickoff; });
+}
+
+TEST_F(Rows, I18AnOverdueHalfIsStoppedAndEnded) {
+  for (const Location location : {Location::GameOn, Location::Setup}) {
+    GameState& state = given(location);
+    state.stage = Stage::First;
+    state.stage_end = now - 60s - 1ns;
+    const auto taken = automaton_.take(frame_, {});
+    ASSERT_EQ(taken.size(), 2u);
+    EXPECT_EQ(taken[0].row->name, location == Location::GameOn ? "I-18.on" : "I-18.setup");
+    EXPECT_EQ(taken[1].row->name, "T16.a");
+  }
+}
+
+TEST(PaperRows, T18_cIsAlwaysIndirectAsPrinted) {
+  Automaton automaton(world::rule_set("paper"), {});
+  automaton.state().location = Location::Setup;
+  automaton.state().restart = Kickoff;
+  automaton.state().is_kickoff = true;
+  world::TrackedFrame frame;
+  frame.time = now;
+  const std::vector<Occurrence> kick = {seen(world::KickTaken{yellow_3, {0, 0}, {}, blue_2, {}})};
+  automaton.take(frame, kick);
+  EXPECT_EQ(automaton.state().call, Indirect);
+  EXPECT_FALSE(automaton.state().is_kickoff);
+}
+
+// R-6.4-2: a touch, the exit it explains, and the end of the half that was waiting for a stoppage, in one
+// tick.
+TEST_F(Rows, ThreeTransitionsHappenInOneTick) {
+  given(Location::GameOn).stage_end = now - 1s;
+  const std::vector<Occurrence> what = {seen(world::BallLeftFieldTouchLine{{}, {1, 3.0215}}),
+                                        seen(world::BallTouched{{yellow_3, now, {1, 2.9}, 1.0}})};
+  const auto taken = automaton_.take(frame_, what);
+  ASSERT_EQ(taken.size(), 3u);
+  EXPECT_EQ(taken[0].row->name, "T14");  // first, although it was reported second
+  EXPECT_EQ(taken[1].row->name, "T11.7");
+  EXPECT_EQ(taken[1].after.kick_team, Team::Blue);
+  EXPECT_EQ(taken[2].row->name, "T16.a");
+  EXPECT_EQ(automaton_.loop_defects(), 0);
+}
+
+// R-6.2-7: the edges of Figure 6, with OFF -> ON.
+TEST(Transitions, HaveExactlyTheEdgesOfFigure6) {
+  using enum Location;
+  std::set<std::pair<Location, Location>> edges;
+  for (const Row& row : transitions()) edges.insert({row.from, row.to});
+  const std::set<std::pair<Location, Location>> expected = {
+      {Init, GameOff},    {GameOn, GameOff}, {GameOff, Setup}, {Setup, GameOn},  {GameOn, GameOn},
+      {GameOff, GameOff}, {GameOff, Break},  {Break, GameOff}, {Setup, GameOff}, {GameOff, GameOn}};
+  EXPECT_EQ(edges, expected);
+}
+
+// R-6.2-2: the flows of Table 4.
+TEST_F(Rows, TimeoutsAndCardsRunDownWhereTheyShould) {
+  GameState& state = given(Location::Break);
+  state.timeout_team = Team::Blue;
+  state.yellow_times.blue = {60s};
+  frame_.time = now + 2s;
+  automaton_.take(frame_, {});
+  EXPECT_EQ(state.timeout_time.blue, 5min - 2s);
+  EXPECT_EQ(state.timeout_time.yellow, 5min);
+  EXPECT_EQ(state.stage_end, Time{602s});  // the half is not shortened by a time-out
+  EXPECT_EQ(state.yellow_times.blue[0], 60s);
+  given(Location::GameOn);
+  frame_.time = now + 3s;
+  automaton_.take(frame_, {});
+  EXPECT_EQ(state.yellow_times.blue[0], 59s);
+  EXPECT_EQ(state.timeout_time.blue, 5min - 2s);
+}
+
+}  // namespace
+}  // namespace automaton
