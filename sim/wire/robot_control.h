@@ -16,7 +16,7 @@ namespace proto {
 using namespace matchday::simulation;  // NOLINT: that is the purpose
 }
 
-/// Commands for the robots of one team: local velocity, degrees, rpm. Reuses the memory of `out`.
+/// Commands for the robots of one team: local velocity, degrees, rpm.
 void encode(const world::TeamCommands& commands, proto::RobotControl& out);
 
 /// Commands from the wire, in their order.
