@@ -1,11 +1,20 @@
 #include "autoref/detectors/robots_settled.h"
 
+#include <chrono>
+
 #include "autoref/detectors/ball.h"
 
 namespace detectors {
+namespace {
+
+// A ball that nobody has seen for longer is not known to be in place (ours).
+constexpr world::Duration unseen_limit = std::chrono::milliseconds{500};
+
+}  // namespace
 
 bool RobotsSettled::steady(const world::TrackedFrame& frame, const world::GameState& state) const {
-  if (!frame.ball || frame.ball->velocity.norm() > ball_speed_) return false;
+  if (!frame.ball || frame.ball->unseen > unseen_limit || frame.ball->velocity.norm() > ball_speed_)
+    return false;
   if (state.reset_position && (on_ground(*frame.ball) - *state.reset_position).norm() > tolerance_)
     return false;
   for (const world::TrackedRobot& robot : frame.robots) {

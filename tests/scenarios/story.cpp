@@ -78,6 +78,8 @@ world::TrackedFrame Story::frame() {
   ball.position.head<2>() = turned(ball_);
   ball.velocity.head<2>() = turned((ball_ - ball_before_) * world::ticks_per_second);
   ball.observed = !ball_hidden_;
+  if (!ball_hidden_) ball_seen_tick_ = tick_;
+  ball.unseen = world::tick_time(tick_) - world::tick_time(ball_seen_tick_);
   frame.ball = ball;
   ball_before_ = ball_;
   for (const Robot& robot : robots_) {

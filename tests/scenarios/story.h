@@ -90,6 +90,7 @@ class Story {
   world::Vector2d ball_ = world::Vector2d::Zero();
   world::Vector2d ball_before_ = world::Vector2d::Zero();
   bool ball_hidden_ = false;
+  std::int64_t ball_seen_tick_ = 0;
   bool robots_go_home_ = true;
   std::vector<Robot> robots_;
   std::vector<std::pair<std::int64_t, world::Touch>> touches_;     // with the tick in which they are reported
