@@ -194,6 +194,12 @@ void BulletScene::set_robot_velocity(std::size_t robot, const Vector2d& velocity
   body.setAngularVelocity({0, 0, f(angular_velocity)});
 }
 
+void BulletScene::add_robot_velocity(std::size_t robot, const Vector2d& velocity, double angular_velocity) {
+  btRigidBody& body = *robots_[robot];
+  body.setLinearVelocity(body.getLinearVelocity() + bt({velocity.x(), velocity.y(), 0}));
+  body.setAngularVelocity(body.getAngularVelocity() + btVector3(0, 0, f(angular_velocity)));
+}
+
 void BulletScene::move_ball(const Vector3d& position) {
   teleport(*ball_, btTransform(btQuaternion::getIdentity(), bt(position)));
 }

@@ -48,6 +48,8 @@ class BulletScene {
   double orientation(std::size_t robot) const;
   void set_robot_velocity(std::size_t robot, const world::Vector2d& velocity, double angular_velocity);
 
+  void add_robot_velocity(std::size_t robot, const world::Vector2d& velocity, double angular_velocity);
+
   /// Teleports: the ball's contact caches are cleared too.
   void move_ball(const world::Vector3d& position);
   void set_ball(const truth::Ball& ball);

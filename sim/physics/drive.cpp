@@ -26,18 +26,18 @@ double acceleration_limit(const Vector2d& velocity, const Vector2d& change_direc
 
 Motion driven(const Motion& now, const Motion& target, const world::RobotSpecs& specs, double duration) {
   Vector2d wanted = target.velocity;
-  const double wanted_speed = wanted.norm();
-  if (wanted_speed > specs.max_speed) wanted *= specs.max_speed / wanted_speed;
+  const double wanted_squared = wanted.squaredNorm();
+  if (wanted_squared > specs.max_speed * specs.max_speed)
+    wanted *= specs.max_speed / std::sqrt(wanted_squared);
 
   Motion next;
+  next.velocity = wanted;
   const Vector2d change = wanted - now.velocity;
   const double size = change.norm();
-  if (size > 0) {
+  if (size > std::min(specs.max_acceleration, specs.max_brake) * duration) {
     const Vector2d towards = change / size;
     const double step = acceleration_limit(now.velocity, towards, specs) * duration;
-    next.velocity = size <= step ? wanted : Vector2d(now.velocity + towards * step);
-  } else {
-    next.velocity = wanted;
+    if (size > step) next.velocity = now.velocity + towards * step;
   }
 
   const double wanted_turn =
