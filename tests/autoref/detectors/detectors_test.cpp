@@ -1,0 +1,211 @@
+// What the scenarios cannot measure: instants, places and the smallest numbers of frames of single detectors.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "autoref/detectors/ball.h"
+#include "autoref/detectors/ball_left_field.h"
+#include "autoref/detectors/catalogue.h"
+#include "autoref/detectors/dribbled_too_far.h"
+#include "autoref/detectors/goal.h"
+#include "autoref/detectors/kick_taken.h"
+#include "autoref/detectors/kicked_too_fast.h"
+#include "autoref/detectors/no_progress.h"
+#include "autoref/detectors/robots_settled.h"
+
+namespace detectors {
+namespace {
+
+using namespace std::chrono_literals;
+using world::GameEvent;
+using world::RobotId;
+using world::Team;
+using world::Time;
+using world::TrackedFrame;
+using world::Vector2d;
+
+constexpr RobotId yellow_3{Team::Yellow, 3};
+
+const world::RuleSet& rules() { return world::rule_set("ssl-2015"); }
+
+TrackedFrame frame_at(Time time, Vector2d ball, bool in_reach = false) {
+  TrackedFrame frame;
+  frame.time = time;
+  frame.ball = world::TrackedBall{};
+  frame.ball->position << ball, 0.0;
+  frame.ball->observed = true;
+  world::TrackedRobot robot;
+  robot.id = yellow_3;
+  robot.position = ball - Vector2d{0.1, 0};
+  robot.ball_in_reach = in_reach;
+  frame.robots.push_back(robot);
+  return frame;
+}
+
+// The ball along a straight way, one frame every 10 ms; all events.
+std::vector<GameEvent> along(Detector& detector, Vector2d from, Vector2d velocity, int frames,
+                             bool in_reach = false, Time start = Time{}) {
+  std::vector<GameEvent> all;
+  for (int i = 0; i <= frames; ++i) {
+    TrackedFrame frame = frame_at(start + i * 10ms, from + velocity * (i * 0.01), in_reach);
+    frame.ball->velocity << velocity, 0.0;
+    for (GameEvent& event : detector.update(frame, world::GameState{})) all.push_back(event);
+  }
+  return all;
+}
+
+double seconds_of(const GameEvent& event) { return world::seconds(event.time); }
+
+// Guards linear in time are interpolated exactly, but for rounding to whole nanoseconds.
+constexpr double one_rounding = 2e-9;
+
+TEST(DribbledTooFar, ReportsTheInstantTheBallPassesOneMetre) {
+  DribbledTooFar detector(rules());
+  EXPECT_TRUE(along(detector, {0, 0}, {1, 0}, 99, true).empty());
+  detector.reset();
+  const auto events = along(detector, {-4.2, 2.7}, {1, 0}, 150, true);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_NEAR(seconds_of(events[0]), 1.0, one_rounding);
+  EXPECT_EQ(std::get<world::BotDribbledBallTooFar>(events[0].what).by, yellow_3);
+}
+
+TEST(DribbledTooFar, StartsAgainAfterAnObservableSeparationOnly) {
+  DribbledTooFar detector(rules());
+  EXPECT_TRUE(along(detector, {0, 0}, {1, 0}, 90, true).empty());
+  along(detector, {0.9, 0}, {0, 0}, 10, false, Time{1s});  // 11 frames apart
+  EXPECT_TRUE(along(detector, {0.9, 0}, {1, 0}, 90, true, Time{2s}).empty());
+  along(detector, {1.8, 0}, {0, 0}, 4, false, Time{3s});  // a flicker of 5 frames
+  EXPECT_EQ(along(detector, {1.8, 0}, {1, 0}, 20, true, Time{4s}).size(), 1u);
+}
+
+TEST(DribbledTooFar, MeasuresStraightFromTheStartNotAlongThePath) {
+  DribbledTooFar detector(rules());
+  // Two full circles of radius 0.4 m: a 5 m path that is never more than 0.8 m from its start.
+  for (int i = 0; i <= 400; ++i) {
+    const Vector2d ball = 0.4 * world::direction(i * 0.01 * 3.14159265);
+    EXPECT_TRUE(detector.update(frame_at(Time{i * 10ms}, ball, true), world::GameState{}).empty());
+  }
+}
+
+TEST(BallLeftField, FiresWithTheThirdFrameOutsideAndKnowsWhereAndWhen) {
+  BallLeftField detector(rules());
+  EXPECT_TRUE(along(detector, {1.0, 2.9}, {1, 2}, 8).empty());  // outside from frame 7 on: two frames
+  detector.reset();
+  const auto events = along(detector, {1.0, 2.9}, {1, 2}, 30);
+  ASSERT_EQ(events.size(), 1u);
+  const auto& left = std::get<world::BallLeftFieldTouchLine>(events[0].what);
+  EXPECT_NEAR(seconds_of(events[0]), 0.1215 / 2, one_rounding);
+  EXPECT_NEAR(left.location.x(), 1.0 + 0.1215 / 2, 1e-12);
+  EXPECT_NEAR(left.location.y(), 3.0215, 1e-12);
+}
+
+TEST(BallLeftField, CountsOnlyFramesInWhichTheBallWasSeen) {
+  BallLeftField detector(rules());
+  along(detector, {0, 3.0}, {0, 1}, 3);  // one frame outside
+  for (int i = 0; i < 10; ++i) {
+    TrackedFrame unseen = frame_at(Time{1s + i * 10ms}, {0, 3.2});
+    unseen.ball->observed = false;
+    EXPECT_TRUE(detector.update(unseen, world::GameState{}).empty());
+  }
+}
+
+TEST(BallLeftField, BeginsOutsideWithoutAnEntry) {
+  BallLeftField detector(rules());
+  const auto events = along(detector, {4.9, 1.0}, {0, 0}, 5);
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_NEAR(std::get<world::BallLeftFieldGoalLine>(events[0].what).location.x(), 4.5215, 1e-12);
+}
+
+TEST(BallLeftField, KnowsTheFirstLineThatWasCrossedInACorner) {
+  const Crossing first = crossing(rules().field, {4.4, 2.9}, {4.6, 3.2});
+  EXPECT_FALSE(first.goal_line);  // the touch line after 0.405 of the way, the goal line after 0.608
+  EXPECT_TRUE(crossing(rules().field, {4.4, 2.9}, {4.7, 3.05}).goal_line);
+}
+
+TEST(Goal, ReportsWhenAndWhereTheLineWasCrossed) {
+  Goal detector(rules());
+  std::vector<GameEvent> events = along(detector, {4.4, 0.1}, {2, 0}, 10);
+  EXPECT_TRUE(events.empty());
+  events = along(detector, {4.6, 0.1}, {0, 0}, 10, false, Time{110ms});
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_NEAR(seconds_of(events[0]), 0.1215 / 2, one_rounding);
+  EXPECT_EQ(std::get<world::PossibleGoal>(events[0].what).defending, Team::Blue);
+}
+
+TEST(Goal, IsNoneBesideThePost) {
+  Goal detector(rules());
+  along(detector, {4.4, 0.51}, {2, 0}, 10);
+  EXPECT_TRUE(along(detector, {4.6, 0.51}, {0, 0}, 60, false, Time{1s}).empty());
+}
+
+TEST(KickedTooFast, WantsFourFramesAboveTheLimit) {
+  KickedTooFast detector(rules());
+  along(detector, {0, 0}, {1, 0}, 3);
+  EXPECT_TRUE(along(detector, {0, 0}, {9, 0}, 2, false, Time{100ms}).empty());
+  const auto events = along(detector, {0.3, 0}, {9.5, 0}, 5, false, Time{130ms});
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(std::get<world::BotKickedBallTooFast>(events[0].what).by, yellow_3);
+  EXPECT_TRUE(along(detector, {1, 0}, {14, 0}, 20, false, Time{200ms}).empty());  // no ball
+}
+
+TEST(KickTaken, IsTheInstantAtFiftyMillimetres) {
+  KickTaken detector(rules());
+  world::GameState state;
+  state.kick_position = Vector2d{0, 0};
+  std::vector<GameEvent> events;
+  for (int i = 1; i < 40; ++i) {  // 0.3 m/s: slower than a kick known by its speed
+    TrackedFrame frame = frame_at(Time{i * 10ms}, {0.003 * i, 0});
+    frame.ball->velocity.x() = 0.3;
+    for (GameEvent& event : detector.update(frame, state)) events.push_back(event);
+  }
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_NEAR(seconds_of(events[0]), 0.05 / 0.3, 1e-6);
+  EXPECT_EQ(std::get<world::KickTaken>(events[0].what).by, yellow_3);
+}
+
+TEST(NoProgress, WantsTwelveSecondsAndReportsOncePerWait) {
+  NoProgress detector(rules());
+  EXPECT_TRUE(along(detector, {0, 0}, {0, 0}, 1199).empty());
+  detector.reset();
+  EXPECT_EQ(along(detector, {0, 0}, {0, 0}, 2399).size(), 1u);
+  detector.reset();
+  EXPECT_TRUE(along(detector, {-3, 0}, {0.26, 0}, 2400).empty());  // just over 0.25 m in each second
+}
+
+TEST(RobotsSettled, NeedsOneQuietSecondAndTheBallInPlace) {
+  RobotsSettled detector(rules());
+  world::GameState state;
+  state.reset_position = Vector2d{1, 1};
+  int fired_at = -1;
+  for (int i = 0; i < 400 && fired_at < 0; ++i) {
+    TrackedFrame frame = frame_at(Time{i * 10ms}, i < 50 ? Vector2d{1.06, 1} : Vector2d{1.04, 1});
+    if (i == 100) frame.robots[0].velocity = {0.41, 0};
+    if (!detector.update(frame, state).empty()) fired_at = i;
+  }
+  EXPECT_EQ(fired_at, 200);  // one second after the robot moved in frame 100
+}
+
+TEST(RobotsSettled, GivesUpWaitingAfterFifteenSeconds) {
+  RobotsSettled detector(rules());
+  int fired_at = -1;
+  for (int i = 0; i < 2000 && fired_at < 0; ++i) {
+    TrackedFrame frame = frame_at(Time{i * 10ms}, {0, 0});
+    frame.robots[0].velocity = {1, 0};
+    const auto events = detector.update(frame, world::GameState{});
+    if (events.empty()) continue;
+    fired_at = i;
+    EXPECT_TRUE(std::get<world::RobotsSettled>(events[0].what).waited_too_long);
+  }
+  EXPECT_EQ(fired_at, 1500);
+}
+
+TEST(Catalogue, RunsEachDetectorOnlyWhereItApplies) {
+  Detectors all(rules());
+  world::GameState state;
+  state.location = world::Location::Break;
+  for (int i = 0; i < 2000; ++i) EXPECT_TRUE(all.update(frame_at(Time{i * 10ms}, {0, 4}), state).empty());
+  EXPECT_EQ(catalogue().size(), 9u);
+}
+
+}  // namespace
+}  // namespace detectors
