@@ -6,6 +6,7 @@
 #include <ostream>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "autoref/log.h"
 #include "autoref/referee/explain.h"
@@ -198,9 +199,13 @@ LogCount watch(const ReplayOptions& options, const Survey& survey, Findings& fin
   geometry.field = rules.field;
   Watcher watcher(rules, survey.geometry.value_or(geometry));
   Listener listener;
-  listener.message = [&](const world::RefereeMessage& message) { watcher.follow(message); };
+  // A batch is complete only when its next image is read, so the messages in between were recorded after it.
+  std::vector<world::RefereeMessage> messages;
+  listener.message = [&](const world::RefereeMessage& message) { messages.push_back(message); };
   listener.batch = [&](std::span<const world::Detection> batch) {
     for (const Sighting& sighting : watcher.update(batch)) findings.add(sighting);
+    for (const world::RefereeMessage& message : messages) watcher.follow(message);
+    messages.clear();
     findings.see(watcher.frame());
   };
   return read_log(options.file, survey, listener);
