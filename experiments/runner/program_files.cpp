@@ -8,6 +8,7 @@
 #include <fstream>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "experiments/process/program.h"
 
@@ -27,7 +28,10 @@ std::string digits(XXH128_hash_t hash) {
   return text.data();
 }
 
-void add_team(const record::TeamConfig& team, const std::string& who, std::vector<fs::path>& paths) {
+}  // namespace
+
+std::vector<fs::path> team_files(const record::TeamConfig& team, const std::string& who) {
+  std::vector<fs::path> paths;
   try {
     paths.push_back(fs::canonical(process::find_program(team.command.front())));
   } catch (const process::StartError& error) {
@@ -37,9 +41,8 @@ void add_team(const record::TeamConfig& team, const std::string& who, std::vecto
     std::error_code ignored;
     if (fs::is_regular_file(team.command[i], ignored)) paths.push_back(fs::canonical(team.command[i]));
   }
+  return paths;
 }
-
-}  // namespace
 
 std::string hash_of(const std::string& text) { return digits(XXH3_128bits(text.data(), text.size())); }
 
@@ -59,8 +62,10 @@ ProgramFile program_file(const fs::path& path) {
 std::vector<ProgramFile> program_files(const schedule::Design& design) {
   std::vector<fs::path> paths;
   for (const schedule::Condition& condition : design.conditions) {
-    add_team(condition.a, "condition '" + condition.name + "', team a", paths);
-    add_team(condition.b, "condition '" + condition.name + "', team b", paths);
+    for (const auto& [team, letter] : {std::pair{&condition.a, 'a'}, std::pair{&condition.b, 'b'}}) {
+      const auto found = team_files(*team, "condition '" + condition.name + "', team " + letter);
+      paths.insert(paths.end(), found.begin(), found.end());
+    }
   }
   std::sort(paths.begin(), paths.end());
   paths.erase(std::unique(paths.begin(), paths.end()), paths.end());

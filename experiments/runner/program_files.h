@@ -14,8 +14,13 @@ struct ProgramFile {
   std::string hash;  ///< XXH3-128 of its bytes, 32 hexadecimal digits
 };
 
-/// Every file in the commands of the design's teams: the programs, found as they will be found when they are
-/// started, and the arguments that name existing files. Each once, sorted by path.
+/// The files in one team's command: its program and the arguments that name existing files.
+///
+/// @param who  how the message calls the team
+/// @throws std::invalid_argument when the program cannot be found
+std::vector<std::filesystem::path> team_files(const record::TeamConfig& team, const std::string& who);
+
+/// Every file in the commands of the design's teams, each once, sorted by path.
 ///
 /// @throws std::invalid_argument naming condition, team and program when a program cannot be found
 std::vector<ProgramFile> program_files(const schedule::Design& design);

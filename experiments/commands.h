@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/bench/bench.h"
+
+// The subcommands of matchday: each takes what the command line said and returns the program's exit code.
+//
+// Bad input is thrown as std::invalid_argument or std::runtime_error, trouble with a result folder as
+// record::StorageError; main() turns them into a sentence and an exit code.
+namespace commands {
+
+struct TeamOptions {
+  std::string command;  ///< as one line, split as a shell would
+  std::string name;     ///< empty: the program's
+  std::vector<int> robots = {0, 1, 2, 3, 4, 5};
+  double speed_factor = 1;
+};
+
+struct PlayOptions {
+  TeamOptions blue;
+  TeamOptions yellow;
+  std::uint64_t seed = 1;
+  std::string rules = "ssl-2015";
+  std::string realism = "measured";
+  std::optional<double> half_length;  ///< [s]
+  bool blue_on_negative_half = false;
+  bool blue_kicks_off = false;
+  std::optional<std::filesystem::path> log;
+  std::filesystem::path team_logs;  ///< folder; empty: none
+  bool json = false;                ///< the record instead of the text
+};
+/// One game, told as it happens.
+int play(const PlayOptions& options);
+
+struct RunOptions {
+  std::filesystem::path design;
+  std::filesystem::path out;              ///< empty: results/<name of the design>
+  int workers = 0;                        ///< 0: one per processor
+  std::string worker;                     ///< another worker command, for tests; empty: ourselves
+  std::string version;                    ///< of matchday
+  std::vector<std::string> command_line;  ///< as we were called
+};
+/// A design, until all its games are in the ledger; then its table.
+int run(const RunOptions& options);
+
+struct ReportOptions {
+  std::filesystem::path folder;
+  std::string format = "text";
+};
+/// The table of a result folder.
+int report(const ReportOptions& options);
+
+struct ReplayOptions {
+  std::filesystem::path folder;
+  std::string game;
+  std::optional<std::filesystem::path> log;
+  std::filesystem::path team_logs;
+};
+/// One game of a ledger again from its seed, and whether it went the same.
+int replay(const ReplayOptions& options);
+
+struct WorkerOptions {
+  std::filesystem::path job;
+  std::filesystem::path result;
+};
+/// One game for a runner.
+int worker(const WorkerOptions& options);
+
+/// The cost table.
+int bench(const bench::BenchOptions& options);
+
+}  // namespace commands

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiments/record/attempt.h"
+#include "experiments/report/summary.h"
+#include "experiments/schedule/design.h"
+
+namespace commands {
+
+/// What a result folder holds.
+struct Experiment {
+  schedule::Design design;
+  std::string hash;
+  std::vector<record::Attempt> attempts;
+};
+
+/// @throws record::StorageError when there is no usable ledger in the folder
+Experiment read_experiment(const std::filesystem::path& folder);
+
+report::Summary summary(const Experiment& experiment);
+
+}  // namespace commands

@@ -1,0 +1,153 @@
+// matchday: plays games and experiments. This file reads the command line; each command has its own file.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "experiments/commands.h"
+#include "experiments/exit_code.h"
+#include "experiments/record/ledger.h"
+
+namespace {
+
+using commands::ExitCode;
+
+constexpr const char* footer = R"(
+Exit codes: 0 done; 1 replay: the game went differently; 2 bad input; 4 too many void games, or play: the game
+ended by a fault; 5 trouble with a result folder; 70 a mistake in matchday itself; 130 and 143 interrupted by
+Ctrl-C and TERM (run: the same command continues).)";
+
+const CLI::Range robot_number(0, 15);
+const CLI::Range speed_factor(0.01, 1.0);
+
+void add_team(CLI::App& app, const std::string& colour, commands::TeamOptions& team) {
+  app.add_option("--" + colour, team.command,
+                 "command of the " + colour + " team, as \"team-reference --flag\"")
+      ->required();
+  app.add_option("--" + colour + "-name", team.name, "its name, if not the program's");
+  app.add_option("--" + colour + "-robots", team.robots, "numbers of its robots, as 0,1,2")
+      ->delimiter(',')
+      ->check(robot_number);
+  app.add_option("--" + colour + "-speed", team.speed_factor, "factor of its speed and acceleration")
+      ->check(speed_factor);
+}
+
+void add_play(CLI::App& main, commands::PlayOptions& options) {
+  CLI::App& app = *main.add_subcommand("play", "play one game and tell every call");
+  add_team(app, "blue", options.blue);
+  add_team(app, "yellow", options.yellow);
+  app.add_option("--seed", options.seed, "the only source of chance")->capture_default_str();
+  app.add_option("--rules", options.rules, "rule set: ssl-2015 or paper")->capture_default_str();
+  app.add_option("--realism", options.realism, "none, friendly, measured or harsh")->capture_default_str();
+  app.add_option("--half-length", options.half_length, "seconds of a half, if not the rule set's")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--blue-on-negative-half", options.blue_on_negative_half, "blue defends the goal at -x first");
+  app.add_flag("--blue-kicks-off", options.blue_kicks_off, "blue has the first kickoff");
+  app.add_option("--log", options.log, "write the game as a league log, FILE.log or FILE.log.gz");
+  app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
+  app.add_flag("--json", options.json, "print configuration and record as JSON");
+}
+
+void add_run(CLI::App& main, commands::RunOptions& options) {
+  CLI::App& app = *main.add_subcommand(
+      "run", "play a design until all its games are in the ledger, then print its table");
+  app.add_option("design", options.design, "design file, see experiments/designs/README.md")->required();
+  app.add_option("--out", options.out, "result folder; default: results/<name of the design>");
+  app.add_option("--workers", options.workers, "games at a time; default: one per processor")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--worker", options.worker)->group("");  // for tests
+}
+
+void add_report(CLI::App& main, commands::ReportOptions& options) {
+  CLI::App& app = *main.add_subcommand("report", "print the table of a result folder");
+  app.add_option("folder", options.folder, "result folder")->required();
+  app.add_option("--format", options.format, "text, markdown, csv or json")->capture_default_str();
+}
+
+void add_replay(CLI::App& main, commands::ReplayOptions& options) {
+  CLI::App& app =
+      *main.add_subcommand("replay", "play one game of a result folder again and compare its hash");
+  app.add_option("folder", options.folder, "result folder")->required();
+  app.add_option("game", options.game, "name of the game, as half-speed-0003-1")->required();
+  app.add_option("--log", options.log, "write the game as a league log, FILE.log or FILE.log.gz");
+  app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
+}
+
+void add_bench(CLI::App& main, bench::BenchOptions& options) {
+  CLI::App& app =
+      *main.add_subcommand("bench", "play the standard game and print what each part of a tick costs");
+  app.add_option("--seed", options.game.seed)->capture_default_str();
+  app.add_option("--realism", options.game.realism, "none, friendly, measured or harsh")
+      ->capture_default_str();
+  app.add_option("--half-length", options.game.half_length, "seconds of a half, if not the rule set's")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--cpu", options.cpu, "processor for host and teams; -1: wherever the system likes")
+      ->capture_default_str();
+  app.add_flag("--json", options.as_json, "print JSON");
+}
+
+void add_worker(CLI::App& main, commands::WorkerOptions& options) {
+  CLI::App& app = *main.add_subcommand("worker", "play one game for a runner")->group("");
+  app.add_option("job", options.job)->required();
+  app.add_option("result", options.result)->required();
+}
+
+int complain(const std::string& sentence, ExitCode code) {
+  std::cerr << "matchday: " << sentence << std::endl;
+  return code;
+}
+
+int matchday(int argc, char** argv) {
+  CLI::App app("Plays refereed robot soccer in simulation and says which team is better.", "matchday");
+  app.set_version_flag("--version", "matchday " MATCHDAY_VERSION);
+  app.footer(footer);
+  app.require_subcommand(1);
+  commands::PlayOptions play;
+  commands::RunOptions run;
+  commands::ReportOptions report;
+  commands::ReplayOptions replay;
+  commands::WorkerOptions worker;
+  bench::BenchOptions bench;
+  add_play(app, play);
+  add_run(app, run);
+  add_report(app, report);
+  add_replay(app, replay);
+  add_bench(app, bench);
+  add_worker(app, worker);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);  // --help, --version
+  } catch (const CLI::ParseError& error) {
+    return complain(std::string(error.what()) + "; see matchday --help", ExitCode::bad_input);
+  }
+
+  if (app.got_subcommand("play")) return commands::play(play);
+  if (app.got_subcommand("report")) return commands::report(report);
+  if (app.got_subcommand("replay")) return commands::replay(replay);
+  if (app.got_subcommand("worker")) return commands::worker(worker);
+  if (app.got_subcommand("bench")) return commands::bench(bench);
+  run.version = MATCHDAY_VERSION;
+  run.command_line.assign(argv, argv + argc);
+  return commands::run(run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return matchday(argc, argv);
+  } catch (const record::StorageError& error) {
+    return complain(error.what(), ExitCode::storage);
+  } catch (const std::invalid_argument& error) {
+    return complain(error.what(), ExitCode::bad_input);
+  } catch (const std::system_error& error) {
+    return complain(error.what(), ExitCode::storage);
+  } catch (const std::runtime_error& error) {
+    return complain(error.what(), ExitCode::bad_input);
+  } catch (const std::exception& error) {
+    return complain(std::string("internal error: ") + error.what(), ExitCode::internal);
+  }
+}

@@ -1,0 +1,32 @@
+#include "experiments/one_game.h"
+
+#include <sched.h>
+
+#include <chrono>
+#include <ostream>
+
+#include "experiments/host/play.h"
+#include "experiments/runner/signals.h"
+#include "experiments/tell.h"
+
+namespace commands {
+
+OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls) {
+  OneGame game;
+  runner::Signals signals;
+  host::Options options;
+  options.cpu = ::sched_getcpu();
+  options.interrupted = [&] {
+    if (!game.signal) game.signal = signals.wait(std::chrono::milliseconds{0});
+    return game.signal.has_value();
+  };
+  if (calls != nullptr) {
+    options.on_call = [calls](const record::CallEntry& call, const world::PerTeam<int>& score) {
+      *calls << call_line(call, score) << std::endl;
+    };
+  }
+  game.record = host::play(config, options);
+  return game;
+}
+
+}  // namespace commands

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+
+#include "experiments/record/match_config.h"
+#include "experiments/record/match_record.h"
+
+namespace commands {
+
+/// A game in this process, bound to one processor; Ctrl-C and TERM end it.
+struct OneGame {
+  record::MatchRecord record;
+  std::optional<int> signal;  ///< that ended it
+};
+
+/// Plays it and tells every call as it happens; null: silent.
+OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls);
+
+}  // namespace commands

@@ -1,0 +1,61 @@
+#include "experiments/host/play.h"
+
+#include <iostream>
+#include <stdexcept>
+
+#include "experiments/commands.h"
+#include "experiments/exit_code.h"
+#include "experiments/one_game.h"
+#include "experiments/record/json_text.h"
+#include "experiments/runner/program_files.h"
+#include "experiments/schedule/command_line.h"
+#include "experiments/tell.h"
+
+namespace commands {
+namespace {
+
+record::TeamConfig team(const TeamOptions& options, const std::string& flag) {
+  record::TeamConfig team;
+  try {
+    team.command = schedule::split_command(options.command);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(flag + ": " + error.what());
+  }
+  runner::team_files(team, flag);
+  team.name =
+      options.name.empty() ? std::filesystem::path(team.command.front()).filename().string() : options.name;
+  team.robots = options.robots;
+  team.speed_factor = options.speed_factor;
+  return team;
+}
+
+}  // namespace
+
+int play(const PlayOptions& options) {
+  record::MatchConfig config;
+  config.teams.blue = team(options.blue, "--blue");
+  config.teams.yellow = team(options.yellow, "--yellow");
+  config.seed = options.seed;
+  config.rules = options.rules;
+  config.realism = options.realism;
+  config.half_length = options.half_length;
+  config.blue_on_positive_half = !options.blue_on_negative_half;
+  config.first_kickoff = options.blue_kicks_off ? world::Team::Blue : world::Team::Yellow;
+  config.log = options.log;
+  config.directory = options.team_logs;
+  host::check(config);
+  if (!config.directory.empty()) std::filesystem::create_directories(config.directory);
+
+  if (!options.json) tell_circumstances(config, std::cout);
+  const OneGame game = play_one_game(config, options.json ? nullptr : &std::cout);
+  if (options.json) {
+    std::cout << "{\"config\":" << record::to_json(config) << ",\"record\":" << record::to_json(game.record)
+              << "}\n";
+  } else {
+    tell_result(config, game.record, std::cout);
+  }
+  if (game.signal) return signal_base + *game.signal;
+  return game.record.at_fault == record::Party::Nobody ? done : faults;
+}
+
+}  // namespace commands

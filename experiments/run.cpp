@@ -1,0 +1,67 @@
+#include "experiments/runner/run.h"
+
+#include <unistd.h>
+
+#include <iostream>
+
+#include "experiments/commands.h"
+#include "experiments/exit_code.h"
+#include "experiments/experiment.h"
+#include "experiments/host/play.h"
+#include "experiments/report/formats.h"
+#include "experiments/schedule/command_line.h"
+#include "experiments/schedule/schedule.h"
+#include "sim/wire/match.h"
+
+namespace commands {
+namespace {
+
+/// A word of a command line so that a shell reads it back.
+std::string shell_word(const std::string& word) {
+  const bool plain = !word.empty() && word.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789-_./=,:+@%") == std::string::npos;
+  if (plain) return word;
+  std::string quoted = "'";
+  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
+}
+
+std::string shell_line(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + shell_word(word);
+  return line;
+}
+
+std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  const schedule::Design design = schedule::read_design(options.design);
+  for (std::size_t i = 0; i < design.conditions.size(); ++i)
+    host::check(schedule::game(design, 2 * i).config);
+
+  runner::RunOptions settings;
+  settings.out = options.out.empty() ? std::filesystem::path("results") / design.name : options.out;
+  settings.workers = options.workers;
+  settings.worker_command = {own_program(), "worker"};
+  if (!options.worker.empty()) settings.worker_command = schedule::split_command(options.worker);
+  settings.version = options.version;
+  settings.protocol = "match protocol " + std::to_string(wire::match_protocol_version);
+  settings.command_line = options.command_line;
+  settings.terminal = ::isatty(STDERR_FILENO) == 1;
+
+  std::cerr << design.name << ": " << schedule::game_count(design) << " games, realism " << design.realism
+            << ", rule set " << design.rules << ", results in " << settings.out.string() << std::endl;
+  const runner::RunResult result = runner::run(design, settings, std::cerr);
+  if (result.ending == runner::Ending::Interrupted) {
+    std::cerr << "interrupted, nothing is lost; continue with: " << shell_line(options.command_line)
+              << std::endl;
+    return signal_base + result.signal;
+  }
+  std::cout << report::as_text(summary(read_experiment(result.out)));
+  return result.ending == runner::Ending::Done ? done : faults;
+}
+
+}  // namespace commands

@@ -1,0 +1,182 @@
+// The program as its user has it: what it prints and the code it ends with.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+struct Said {
+  int code = -1;
+  std::string text;  ///< standard output and error
+};
+
+class MatchdayProgram : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "cli-test-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Said matchday(const std::string& arguments) const {
+    const std::string line = "cd '" + folder_.string() + "' && " BIN_DIR "/matchday " + arguments + " 2>&1";
+    FILE* pipe = ::popen(line.c_str(), "r");
+    Said said;
+    std::array<char, 4096> buffer;
+    while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) said.text += buffer.data();
+    const int status = ::pclose(pipe);
+    if (WIFEXITED(status)) said.code = WEXITSTATUS(status);
+    return said;
+  }
+
+  /// A design of eight quick games; `more` goes to the top of it.
+  void write_design(const std::string& name, const std::string& more = "") const {
+    std::ofstream(folder_ / name)
+        << "name = \"small\"\n"
+        << more << "pairs = 2\n[teams.a]\ncommand = \"true\"\n[teams.b]\ncommand = \"true\"\n"
+        << "[[conditions]]\nname = \"one\"\n[[conditions]]\nname = \"two\"\n";
+  }
+
+  static std::string fake(const std::string& arguments = "") {
+    return " --worker '" BIN_DIR "/fake_worker " + arguments + "'";
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(MatchdayProgram, TellsItsVersionAndExitCodes) {
+  EXPECT_THAT(matchday("--version").text, StartsWith("matchday 0."));
+  const Said help = matchday("--help");
+  EXPECT_EQ(help.code, 0);
+  for (const char* word : {"play", "run", "report", "replay", "bench", "Exit codes: 0 done"}) {
+    EXPECT_THAT(help.text, HasSubstr(word));
+  }
+  EXPECT_THAT(help.text, Not(HasSubstr("worker")));
+}
+
+struct Mistake {
+  std::string arguments;
+  std::string message;
+  int code;
+};
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.arguments; }
+
+class MatchdayMistake : public MatchdayProgram, public testing::WithParamInterface<Mistake> {};
+
+TEST_P(MatchdayMistake, IsOneSentenceAndItsExitCode) {
+  write_design("good.toml");
+  write_design("bad.toml", "realism = \"real\"\n");
+  std::ofstream(folder_ / "no-team.toml")
+      << "name = \"x\"\npairs = 1\n[teams.a]\ncommand = \"no-such-team\"\n"
+      << "[teams.b]\ncommand = \"true\"\n";
+  const Said said = matchday(GetParam().arguments);
+  EXPECT_EQ(said.code, GetParam().code);
+  // `run` says what it is about to do before it looks into the result folder.
+  const std::string last = said.text.substr(said.text.find("matchday: "));
+  EXPECT_THAT(last, AllOf(StartsWith("matchday: "), HasSubstr(GetParam().message)));
+  EXPECT_EQ(last.find('\n'), last.size() - 1) << "one line: " << last;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, MatchdayMistake,
+    testing::Values(
+        Mistake{"", "subcommand", 2}, Mistake{"dance", "dance", 2},
+        Mistake{"run good.toml --fast", "--fast", 2}, Mistake{"run", "design is required", 2},
+        Mistake{"run nothing.toml", "nothing.toml: cannot be read", 2},
+        Mistake{"run .", ".: cannot be read", 2},
+        Mistake{"run bad.toml", "bad.toml:2: realism = 'real': there is no such one; known are: none", 2},
+        Mistake{"run good.toml --workers 0", "--workers", 2},
+        Mistake{"run no-team.toml", "condition 'base', team a: program 'no-such-team'", 2},
+        Mistake{"run good.toml --out /proc/no", "result folder /proc/no: cannot be made", 5},
+        Mistake{"play --blue true", "--yellow is required", 2},
+        Mistake{"play --blue no-such-team --yellow true", "--blue: program 'no-such-team'", 2},
+        Mistake{"play --blue 'true \"' --yellow true", "--blue: command 'true \"': a \" is not closed", 2},
+        Mistake{"play --blue true --yellow true --seed x", "--seed", 2},
+        Mistake{"play --blue true --yellow true --rules fifa", "unknown rule set 'fifa'", 2},
+        Mistake{"play --blue true --yellow true --realism real", "real", 2},
+        Mistake{"play --blue true --yellow true --blue-robots 0,16", "--blue-robots", 2},
+        Mistake{"play --blue true --yellow true --blue-robots 1,1", "1", 2},
+        Mistake{"play --blue true --yellow true --yellow-speed 0", "--yellow-speed", 2},
+        Mistake{"play --blue true --yellow true --half-length -1", "--half-length", 2},
+        Mistake{"report .", "./ledger.sqlite: there is no ledger", 5},
+        Mistake{"report nowhere", "nowhere/ledger.sqlite: there is no ledger", 5},
+        Mistake{"replay . one-0000-0", "there is no ledger", 5}));
+
+TEST_F(MatchdayProgram, RunsADesignPrintsItsTableAndReportsItAgain) {
+  write_design("good.toml");
+  const Said run = matchday("run good.toml --workers 2" + fake());
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.text, HasSubstr("8/8 games"));
+  EXPECT_THAT(run.text, HasSubstr("realism measured"));
+  EXPECT_THAT(run.text, HasSubstr("8 of 8 games"));
+  const Said report = matchday("report results/small");
+  EXPECT_EQ(report.code, 0);
+  EXPECT_THAT(run.text, HasSubstr(report.text));
+  EXPECT_THAT(matchday("report results/small --format csv").text, StartsWith("forfeits,condition,games"));
+  EXPECT_EQ(matchday("report results/small --format xml").code, 2);
+  const Said again = matchday("run good.toml --workers 2" + fake());
+  EXPECT_EQ(again.code, 0);
+  EXPECT_THAT(again.text, HasSubstr(report.text));
+}
+
+TEST_F(MatchdayProgram, RefusesAnotherDesignInTheSameFolderNamingBothHashes) {
+  write_design("good.toml");
+  write_design("other.toml", "seed = 2\n");
+  matchday("run good.toml --out here" + fake());
+  const Said said = matchday("run other.toml --out here" + fake());
+  EXPECT_EQ(said.code, 5);
+  EXPECT_THAT(said.text, testing::ContainsRegex("holds experiment [0-9a-f]+ but the design.* [0-9a-f]+;"));
+}
+
+TEST_F(MatchdayProgram, EndsWithAnErrorWhenTooManyGamesAreVoid) {
+  write_design("good.toml");
+  const Said said = matchday("run good.toml" + fake("--fail always --how exit"));
+  EXPECT_EQ(said.code, 4);
+  EXPECT_THAT(said.text, HasSubstr("5 games in a row were void: stopped"));
+  EXPECT_THAT(said.text, HasSubstr("no game counts yet"));
+}
+
+TEST_F(MatchdayProgram, InterruptedSaysHowToContinue) {
+  write_design("good.toml");
+  const std::string line = "run good.toml --out 'my results'" + fake("--milliseconds 5000");
+  const std::string shell =
+      "cd '" + folder_.string() + "' && timeout -s INT 1 " BIN_DIR "/matchday " + line + " 2>&1";
+  FILE* pipe = ::popen(shell.c_str(), "r");
+  std::string text;
+  std::array<char, 4096> buffer;
+  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) text += buffer.data();
+  ::pclose(pipe);
+  EXPECT_THAT(text, HasSubstr("continue with: " BIN_DIR "/matchday run good.toml --out 'my results'"));
+}
+
+TEST_F(MatchdayProgram, ReplayWantsAGameOfTheFolder) {
+  write_design("good.toml");
+  matchday("run good.toml" + fake());
+  const Said said = matchday("replay results/small one-0009-0");
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.text,
+              HasSubstr("design 'small' has no game 'one-0009-0'; games are named like 'one-0000-0'"));
+}
+
+TEST_F(MatchdayProgram, PlayOfATeamThatDoesNotConnectIsAForfeitWithItsReason) {
+  const Said said = matchday("play --blue true --yellow true --half-length 10");
+  EXPECT_EQ(said.code, 4);
+  EXPECT_THAT(said.text, HasSubstr("realism measured, rule set ssl-2015 with halves of 10 s, seed 1"));
+  EXPECT_THAT(said.text, HasSubstr("not finished: "));
+}
+
+}  // namespace
