@@ -14,7 +14,10 @@ constexpr double wall_reach = 0.15;         // [m] a ball within this of a line 
 constexpr double start_sigma = 1.0;         // [m/s] of a velocity from two sightings; ours
 constexpr double held_tolerance = 0.06;     // [m] a held ball re-appears this near to its place; ours
 constexpr double least_gate = 0.01;  // [m] slack of the greatest speed, for noise and calibration; ours
-constexpr double rival_speed = 2.0;  // [m/s] distance over this is how long a rival must wait; ours
+constexpr double half_frame =
+    world::tick_length / 2;           // [s] two cameras' offset must not look like a speed; ours
+constexpr double disagreement = 0.1;  // [m] between badly calibrated cameras (football.md 5: up to 0.1 m)
+constexpr double rival_speed = 2.0;   // [m/s] distance over this is how long a rival must wait; ours
 constexpr world::Duration rival_least = 50ms;  // three frames
 constexpr world::Duration rival_most = 1s;
 constexpr world::Duration two_frames = 34ms;
@@ -53,9 +56,9 @@ void BallTrack::age(world::Time now) {
   std::erase_if(candidates_, [now](const Candidate& candidate) { return candidate.stale(now); });
 }
 
-void BallTrack::see(std::span<const world::DetectedBall> balls, world::Time time,
+void BallTrack::see(std::span<const world::DetectedBall> balls, world::Time time, int camera,
                     std::span<const world::TrackedRobot> robots) {
-  const bool followed = known_ && (time < seen_ || follow(balls, time, robots));
+  const bool followed = known_ && (time < seen_ || follow(balls, time, camera, robots));
   if (followed && balls.size() == 1) return;
   for (const world::DetectedBall& ball : balls) {
     if (followed && (ball.position - filter_.position()).norm() < same_ball) continue;
@@ -74,7 +77,7 @@ bool BallTrack::could_be_struck(const Vector2d& from, const Vector2d& to,
   });
 }
 
-bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time time,
+bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time time, int camera,
                        std::span<const world::TrackedRobot> robots) {
   const double dt = world::seconds(time - seen_);
   const Vector2d from = filter_.position();
@@ -85,6 +88,7 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
         if ((ball.position - state->position).norm() > held_tolerance) continue;
         filter_.start(ball.position, state->velocity, start_sigma);
         seen_ = time;
+        camera_.used(camera, time);
         remember_hold(robots);
         return true;
       }
@@ -110,12 +114,15 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   if (!nearest) return false;
 
   const Vector2d& measured = nearest->position;
+  const bool expected_by_some = ahead.best_nis(measured) < params_.nis_gate;
+  const bool agrees = expected_by_some && nearest_distance < CameraPreference::agreement;
+  if (!agrees && nearest_distance < disagreement && camera_.distrusts(camera, time)) return true;
   const double travelled = (measured - from).norm();
   if (travelled > params_.max_ball_speed * dt + least_gate) return false;
-  if (ahead.best_nis(measured) < params_.nis_gate) {
+  if (expected_by_some) {
     ahead.update(measured);
   } else if (dt > 0 && could_be_struck(from, measured, robots)) {
-    ahead.start(measured, (measured - from) / dt, params_.kick_sigma);
+    ahead.start(measured, (measured - from) / std::max(dt, half_frame), params_.kick_sigma);
   } else if (nearest_distance < params_.ball_gate) {
     ahead.update(measured);
   } else {
@@ -123,6 +130,7 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   }
   filter_ = ahead;
   seen_ = time;
+  camera_.used(camera, time);
   remember_hold(robots);
   return true;
 }
@@ -157,6 +165,7 @@ void BallTrack::take_over() {
   filter_.start(best->position(), best->velocity(), start_sigma);
   known_ = true;
   seen_ = best->last_seen();
+  camera_ = {};
   hold_.reset();
   candidates_.clear();
 }

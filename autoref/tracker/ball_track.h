@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "autoref/tracker/ball_filter.h"
+#include "autoref/tracker/camera_preference.h"
 #include "autoref/tracker/candidate.h"
 #include "sim/world/detection.h"
 #include "sim/world/tracked_frame.h"
@@ -25,7 +26,7 @@ class BallTrack {
 
   /// Takes in all balls of one camera image.
   /// @param robots  foretold to `time`
-  void see(std::span<const world::DetectedBall> balls, world::Time time,
+  void see(std::span<const world::DetectedBall> balls, world::Time time, int camera,
            std::span<const world::TrackedRobot> robots);
 
   /// Forgets a ball that was unseen too long.
@@ -44,7 +45,7 @@ class BallTrack {
     Vector2d ball_local = Vector2d::Zero();  // [m]
   };
 
-  bool follow(std::span<const world::DetectedBall> balls, world::Time time,
+  bool follow(std::span<const world::DetectedBall> balls, world::Time time, int camera,
               std::span<const world::TrackedRobot> robots);
   void consider(const Vector2d& position, world::Time time);
   void take_over();
@@ -58,6 +59,7 @@ class BallTrack {
   BallFilter filter_;
   bool known_ = false;
   world::Time seen_;
+  CameraPreference camera_;
   std::optional<Hold> hold_;
   std::vector<Candidate> candidates_;
 };

@@ -20,8 +20,8 @@ constexpr world::Duration coasting =
 
 RobotTrack::RobotTrack(world::RobotId id, const Params& params) : params_(params), id_(id), filter_(params) {}
 
-void RobotTrack::see(const Vector2d& position, std::optional<double> heading, world::Time time) {
-  if (known_ && follow(position, heading, time)) {
+void RobotTrack::see(const Vector2d& position, std::optional<double> heading, world::Time time, int camera) {
+  if (known_ && follow(position, heading, time, camera)) {
     candidate_.reset();
     return;
   }
@@ -34,16 +34,21 @@ void RobotTrack::see(const Vector2d& position, std::optional<double> heading, wo
   filter_.start(position, heading, candidate_->velocity(), 1.0);
   known_ = true;
   seen_ = time;
+  camera_ = {};
+  camera_.used(camera, time);
   odd_headings_ = 0;
   candidate_.reset();
 }
 
-bool RobotTrack::follow(const Vector2d& position, std::optional<double> heading, world::Time time) {
+bool RobotTrack::follow(const Vector2d& position, std::optional<double> heading, world::Time time,
+                        int camera) {
   if (time < seen_) return true;  // older than what is known: nothing to learn
   RobotFilter ahead = filter_;
   ahead.predict(world::seconds(time - seen_));
   const bool expected = ahead.nis(position) < params_.nis_gate;
-  if (!expected && (position - ahead.position()).norm() > params_.robot_gate) return false;
+  const double off = (position - ahead.position()).norm();
+  if (!expected && off > params_.robot_gate) return false;
+  if ((!expected || off > CameraPreference::agreement) && camera_.distrusts(camera, time)) return true;
 
   std::optional<double> new_heading;
   if (heading && ahead.heading_nis(*heading) >= heading_gate) {
@@ -63,6 +68,7 @@ bool RobotTrack::follow(const Vector2d& position, std::optional<double> heading,
   }
   filter_ = ahead;
   seen_ = time;
+  camera_.used(camera, time);
   return true;
 }
 

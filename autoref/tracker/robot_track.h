@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "autoref/tracker/camera_preference.h"
 #include "autoref/tracker/candidate.h"
 #include "autoref/tracker/robot_filter.h"
 #include "sim/world/tracked_frame.h"
@@ -18,7 +19,7 @@ class RobotTrack {
 
   /// Takes in one sighting; one that contradicts the track starts or continues a candidate.
   /// @param heading [rad]; nothing when the camera could not tell
-  void see(const Vector2d& position, std::optional<double> heading, world::Time time);
+  void see(const Vector2d& position, std::optional<double> heading, world::Time time, int camera);
 
   bool known() const { return known_; }
   /// Distance of a sighting from where the robot is expected [m]; zero when it is not known.
@@ -32,13 +33,14 @@ class RobotTrack {
   void foretell(world::Time time, world::TrackedRobot& out) const;
 
  private:
-  bool follow(const Vector2d& position, std::optional<double> heading, world::Time time);
+  bool follow(const Vector2d& position, std::optional<double> heading, world::Time time, int camera);
 
   Params params_;
   world::RobotId id_;
   RobotFilter filter_;
   bool known_ = false;
   world::Time seen_;
+  CameraPreference camera_;
   int odd_headings_ = 0;  // in a row
   std::optional<Candidate> candidate_;
 };

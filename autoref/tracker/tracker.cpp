@@ -131,7 +131,8 @@ void Tracker::take_in(const world::Detection& detection) {
     if ((claimed & 1u) == 0) continue;
     const world::DetectedRobot& robot = *claims[index];
     const bool has_heading = robot.orientation && std::abs(*robot.orientation) < 1e6;  // false for NaN
-    robots_[index].see(robot.position, has_heading ? robot.orientation : std::nullopt, time);
+    robots_[index].see(robot.position, has_heading ? robot.orientation : std::nullopt, time,
+                       detection.camera);
   }
 
   balls_.clear();
@@ -140,7 +141,7 @@ void Tracker::take_in(const world::Detection& detection) {
   }
   if (balls_.empty()) return;
   foretell_robots(time, foretold_);
-  ball_.see(balls_, time, foretold_);
+  ball_.see(balls_, time, detection.camera, foretold_);
 }
 
 void Tracker::foretell_robots(world::Time time, std::vector<world::TrackedRobot>& out) const {
