@@ -18,7 +18,7 @@ namespace host {
 class Channel {
  public:
   enum class Status { Done, Waiting, Closed };
-  static constexpr std::chrono::milliseconds slice{50};
+  static constexpr std::chrono::milliseconds slice{10};
 
   /// Takes the connected socket over.
   explicit Channel(int socket);

@@ -24,7 +24,8 @@ std::optional<std::uint8_t> who_leaves(const std::vector<std::uint8_t>& numbers,
   return std::nullopt;
 }
 
-constexpr double room = 0.3;  // [m] between centres when coming in: a hull and a half; ours
+constexpr double spacing = 0.3;  // [m] between places: a hull and a half; ours
+constexpr double room = 0.25;    // [m] from any robot's centre: a hull and a gap; ours
 
 // A place beside the halfway line, 0.3 m outside the touch line (hull wholly outside, inside the run-off of
 // 0.7 m), in the own half, each next one further from the line; yellow comes in at -y, blue at +y.
@@ -34,7 +35,7 @@ std::optional<world::Vector2d> entrance(world::Team team, const world::GameState
   const double x_sign = world::sign(world::defended_side(state, team));
   const double y = (field.half_width() + 0.3) * (team == world::Team::Blue ? 1 : -1);
   for (int place = 0; place <= world::max_robot_number; ++place) {
-    const world::Vector2d spot{x_sign * room * (place + 0.5), y};
+    const world::Vector2d spot{x_sign * spacing * (place + 0.5), y};
     const auto& robots = engine.truth().robots;
     const bool is_free = std::none_of(robots.begin(), robots.end(), [&](const truth::Robot& robot) {
       return (robot.position - spot).norm() < room;

@@ -111,7 +111,9 @@ bool TeamProcess::receive(const Deadline& deadline, const Idle& while_waiting) {
 }
 
 const wire::proto::TeamMessage* TeamProcess::message() {
-  if (message_.ParseFromArray(payload_.data(), static_cast<int>(payload_.size()))) return &message_;
+  arena_.Reset();
+  auto* message = google::protobuf::Arena::CreateMessage<wire::proto::TeamMessage>(&arena_);
+  if (message->ParseFromArray(payload_.data(), static_cast<int>(payload_.size()))) return message;
   blame(Termination::Nonsense,
         "sent " + std::to_string(payload_.size()) + " bytes that are not a TeamMessage");
   return nullptr;
@@ -123,6 +125,7 @@ void TeamProcess::drain() {
 
 void TeamProcess::end(const std::string& reason, std::chrono::milliseconds grace) {
   if (!child_) return;
+  if (const auto used = process::usage(child_->pid())) usage_ = *used;  // before it may leave
   if (channel_) {
     wire::proto::HostMessage goodbye;
     goodbye.mutable_goodbye()->set_reason(reason);
@@ -131,8 +134,7 @@ void TeamProcess::end(const std::string& reason, std::chrono::milliseconds grace
     std::string_view rest = frame;
     channel_->send(rest);  // whoever does not take it, does not
   }
-  if (const auto used = process::usage(child_->pid())) usage_ = *used;
-  if (!fault_) child_->wait(grace);
+  if (!fault_ && channel_) child_->wait(grace);  // it was told, and leaves by itself
   const process::Exit exit = child_->stop(grace);
   usage_.user_seconds = exit.user_seconds;
   usage_.system_seconds = exit.system_seconds;

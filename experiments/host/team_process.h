@@ -1,5 +1,7 @@
 #pragma once
 
+#include <google/protobuf/arena.h>
+
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -7,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "experiments/host/channel.h"
 #include "experiments/host/listener.h"
@@ -36,7 +39,7 @@ struct Deadline {
 /// One team as the host sees it: a process, a socket, and what went wrong with it.
 ///
 /// Every function that talks to the team does nothing once it has a fault. While it waits it calls
-/// `while_waiting` every 50 ms at least, which may throw to leave.
+/// `while_waiting` every 10 ms at least, which may throw to leave.
 class TeamProcess {
  public:
   using Idle = std::function<void()>;
@@ -81,7 +84,9 @@ class TeamProcess {
   std::optional<process::Child> child_;
   std::optional<Channel> channel_;
   std::span<const std::byte> payload_;  // of the last frame, in the channel's memory
-  wire::proto::TeamMessage message_;
+  // Messages are made in memory that is used again: parsing allocates nothing after the first tick.
+  std::vector<char> message_memory_ = std::vector<char>(16384);
+  google::protobuf::Arena arena_{message_memory_.data(), message_memory_.size()};
   std::optional<Fault> fault_;
   process::Usage usage_;
 };
