@@ -17,29 +17,33 @@ double chance_of_goal(const skills::Opening& opening, double distance) {
   return std::min(1.0, opening.width / 0.3) * far;  // 0.3 rad: reference "football", 2.5
 }
 
-// A kick that only has to be away: upfield, as wide of the opponents as the sector of +-60 degrees lets it.
-Kick clearance(const kit::View& view, int kicker) {
+// A kick that only has to be away: upfield, where the opponents leave most room and the ball stays on the
+// field.
+Kick clearance(const kit::View& view, const Situation& situation, int kicker, bool gentle) {
   const Vector2d ball = view.ball.position;
+  const double reach = 3.0;  // [m] blockers beyond do not matter; here it should be taken by somebody
   std::array<skills::Blocker, 16> blockers;
   std::size_t count = 0;
   for (const kit::Robot& robot : view.opponents) {
     if (count < blockers.size()) blockers[count++] = {robot.position, 0.25};
   }
   for (const kit::Robot& robot : view.own) {
-    if (robot.number != kicker && count < blockers.size()) blockers[count++] = {robot.position, 0.15};
+    if (robot.number != kicker && count < blockers.size()) blockers[count++] = {robot.position, 0.1};
   }
-  // Away from the own goal rather than straight up when near it.
-  const double up = ball.x() < -2 ? 0.5 * world::angle_of(ball - view.own_goal()) : 0.0;
-  const double reach = 2.5;  // [m] blockers beyond do not matter
+  // 60 degrees to either side of straight on, less where the touch line is nearer.
+  const double room = view.field().half_width() - 0.4;
+  const double left = std::clamp(std::asin(std::clamp((room - ball.y()) / reach, -1.0, 1.0)), -0.8, 1.0);
+  const double right = std::clamp(std::asin(std::clamp((-room - ball.y()) / reach, -1.0, 1.0)), -1.0, 0.8);
   const skills::Opening opening = skills::widest_opening(
-      ball, {ball + reach * world::direction(up - 1.0), ball + reach * world::direction(up + 1.0)},
+      ball,
+      {ball + reach * world::direction(std::min(right, left - 0.2)), ball + reach * world::direction(left)},
       std::span(blockers.data(), count));
   Kick kick;
   kick.kind = Kick::Kind::Clear;
   kick.direction = opening.direction;
   kick.target = ball + reach * world::direction(kick.direction);
-  // It should not go out: as fast as brings it four metres on.
-  kick.speed = 4.5;
+  // Balls roll far (0.26 m/s^2): just fast enough to get past those near, unless our goal is in danger.
+  kick.speed = situation.model.kick_speed_for(reach, gentle ? 0.5 : 1.2);
   kick.tolerance = 0.25;
   return kick;
 }
@@ -106,7 +110,7 @@ Kick choose_kick(const kit::View& view, const Situation& situation, int kicker, 
     const skills::Pass pass = skills::plan_pass(view, situation.model, ball, target);
     const bool kept = before && before->kind == Kick::Kind::Pass && before->receiver == mate.number;
     const double value = pass.safety * value_at(view, target, mate.number) + (kept ? keep : 0);
-    if (value <= best.value || value < parameters.pass_threshold) continue;
+    if (value <= best.value || value < (rules.must_kick ? 0.04 : parameters.pass_threshold)) continue;
     best.kind = Kick::Kind::Pass;
     best.target = target;
     best.direction = world::angle_of(target - ball);
@@ -127,7 +131,7 @@ Kick choose_kick(const kit::View& view, const Situation& situation, int kicker, 
     carry.value = 0;
     return carry;
   }
-  return clearance(view, kicker);
+  return clearance(view, situation, kicker, ball.x() > -2);
 }
 
 }  // namespace reference

@@ -52,7 +52,8 @@ skills::Order play_defender(const kit::View& view, const Situation& situation, c
   const int wall = count <= 1 ? 1 : count == 2 ? (view.ball.position.x() < 0 ? 2 : 1) : 2;
   const int markers = count - wall;
   // The side of the ball builds the wall, the far side marks.
-  const bool ball_left = view.ball.position.y() > 0;
+  // -0.15: not at the centre line, where the ball lies still at kickoffs and noise would decide.
+  const bool ball_left = view.ball.position.y() > -0.15;
   const int from_ball_side = ball_left ? count - 1 - index : index;
   if (from_ball_side < wall || markers <= 0) {
     order.why = "wall";

@@ -98,6 +98,8 @@ skills::Order ReferenceTeam::order_for(const kit::View& view, const Situation& s
   const bool goalie = roles_.goalie == robot.number;
   if (game.phase == Phase::Running) return order;
   if (is_dead(game.phase)) {
+    // The ball on the centre mark: most likely a kickoff, so be at home already.
+    if (view.ball.position.norm() < 0.1 && !goalie) stay_in_own_half(robot, order);
     keep_away(view, robot, parameters_, true, order);
     hold_place(view, robot, order);
     return order;
@@ -114,7 +116,6 @@ skills::Order ReferenceTeam::order_for(const kit::View& view, const Situation& s
     order.kick_speed = 0;
   } else if (!(goalie && is_penalty(game.phase))) {
     keep_away(view, robot, parameters_, false, order);
-    if (is_kickoff(game.phase)) stay_in_own_half(robot, order);
   }
   if (game.phase == Phase::PrepareKickoff || game.phase == Phase::PreparePenalty)
     hold_place(view, robot, order);

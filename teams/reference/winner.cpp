@@ -106,7 +106,21 @@ skills::Order Winner::with_ball(const kit::View& view, const Situation& situatio
   const bool pressed = nearest_opponent(view, ball.position) < 0.25;
   const bool let_go = carried > parameters.dribble_distance || held > 4.0 || (pressed && held > 0.6);
 
-  Kick kick = *choice_;
+  const Kick& kick = *choice_;
+  if (held < 0.1) {
+    // Just arrived: let the bar take hold before anything turns.
+    skills::Order order;
+    order.why = "hold";
+    order.dribble = true;
+    order.heading = robot.orientation;
+    order.robot_margin = 0;
+    order.velocity = 0.1 * world::direction(robot.orientation);
+    if (std::abs(world::wrap_angle(kick.direction - robot.orientation)) < kick.tolerance) {
+      order.kick_speed = kick.speed;
+      order.kick_angle = kick.angle;
+    }
+    return order;
+  }
   if (let_go) {
     // Away with it along the present heading, unless that is towards the own goal: then it is only released.
     skills::Order order;
@@ -121,7 +135,7 @@ skills::Order Winner::with_ball(const kit::View& view, const Situation& situatio
       return order;
     }
     const bool chip = blocked_in_front(view, robot);
-    order.kick_speed = chip ? 4.0 : 3.5;
+    order.kick_speed = chip ? 3.5 : 2.5;
     order.kick_angle = chip ? M_PI / 4 : 0;
     order.velocity = 0.3 * ahead;
     return order;
