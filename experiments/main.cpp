@@ -93,6 +93,16 @@ void add_worker(CLI::App& main, commands::WorkerOptions& options) {
   app.add_option("result", options.result)->required();
 }
 
+/// CLI11 would only say that a command is missing.
+void check_command(const CLI::App& app, const std::string& word) {
+  std::string known;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == word) return;
+    if (!command->get_group().empty()) known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  throw std::invalid_argument("unknown command '" + word + "'; known are: " + known);
+}
+
 int complain(const std::string& sentence, ExitCode code) {
   std::cerr << "matchday: " << sentence << std::endl;
   return code;
@@ -116,6 +126,7 @@ int matchday(int argc, char** argv) {
   add_bench(app, bench);
   add_worker(app, worker);
 
+  if (argc > 1 && argv[1][0] != '-') check_command(app, argv[1]);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -94,7 +94,7 @@ TEST_P(MatchdayMistake, IsOneSentenceAndItsExitCode) {
 INSTANTIATE_TEST_SUITE_P(
     All, MatchdayMistake,
     testing::Values(
-        Mistake{"", "subcommand", 2}, Mistake{"dance", "dance", 2},
+        Mistake{"", "subcommand", 2}, Mistake{"dance", "unknown command 'dance'; known are: play, run", 2},
         Mistake{"run good.toml --fast", "--fast", 2}, Mistake{"run", "design is required", 2},
         Mistake{"run nothing.toml", "nothing.toml: cannot be read", 2},
         Mistake{"run .", ".: cannot be read", 2},
