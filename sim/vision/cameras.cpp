@@ -139,7 +139,7 @@ void Cameras::take_image(CameraState& camera, world::Time now, const truth::Ball
     seen.team = robot.id.team;
     seen.number = robot.id.number;
     seen.position = world::as_on_wire(Vector2d(robot.position + Vector2d(dx, dy)));
-    seen.orientation = static_cast<double>(static_cast<float>(world::wrap_angle(robot.orientation + turned)));
+    seen.orientation = world::as_float(world::wrap_angle(robot.orientation + turned));
   }
 }
 
