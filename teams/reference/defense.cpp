@@ -14,9 +14,13 @@ Vector2d wall_position(const kit::View& view, int index, int count) {
   const Vector2d along = to_ball.normalized();
   const double clear = field.robot_radius + 0.06;  // [m] hull outside the line, with room for the steering
   // Out along the line until outside the area.
-  double s = 0.3;
-  while (s < 3 && world::distance_to_defense_area(field, world::Side::Negative, goal + s * along) < clear) {
-    s += 0.02;
+  double s = 0.5;
+  for (int i = 0; i < 30; ++i) {
+    // The distance grows by at most a metre per metre, so this step never goes too far.
+    const double missing =
+        clear - world::distance_to_defense_area(field, world::Side::Negative, goal + s * along);
+    if (missing <= 0.005) break;
+    s += missing;
   }
   const double spacing = 2 * field.robot_radius + 0.03;
   const double beside = (index - 0.5 * (count - 1)) * spacing;

@@ -58,13 +58,18 @@ Vector2d guard_position(const kit::View& view, const kit::Robot& robot) {
   const Vector2d goal = view.own_goal();
   const double half = field.goal_width / 2;
   const Vector2d ball = view.ball.position;
-  // The bisector of the angle to both posts.
-  const Vector2d left = Vector2d(goal.x(), half) - ball;
-  const Vector2d right = Vector2d(goal.x(), -half) - ball;
-  const double first = left.norm();
-  const double second = right.norm();
-  const Vector2d cut =
-      (second * Vector2d(goal.x(), half) + first * Vector2d(goal.x(), -half)) / (first + second);
+  // What our own robots leave open of the goal; all of it when the ball is far or they leave nothing.
+  std::array<skills::Blocker, 16> blockers;
+  std::size_t count = 0;
+  for (const kit::Robot& mate : view.own) {
+    if (mate.number == robot.number || count == blockers.size()) continue;
+    blockers[count++] = {mate.position, mate.specs.radius + field.ball_radius};
+  }
+  const world::Segment mouth{{goal.x(), -half}, {goal.x(), half}};
+  const double stays = world::angle_of(robot.position - ball);
+  skills::Opening open = skills::widest_opening(ball, mouth, std::span(blockers.data(), count), stays, 0.05);
+  if (open.width < 0.05 || ball.x() > 0) open = skills::widest_opening(ball, mouth, {});
+  const Vector2d cut = open.target;
   const Vector2d out = ball - cut;
   const double distance = out.norm();
   if (distance < 1e-6) return goal + Vector2d(0.3, 0);

@@ -8,7 +8,7 @@
 namespace reference {
 namespace {
 
-constexpr int think_every = 12;  // ticks
+constexpr int think_every = 15;  // ticks
 constexpr double keep = 0.03;    // of value, in favour of the place before
 
 }  // namespace
@@ -53,7 +53,7 @@ skills::Order Supports::play(const kit::View& view, const Situation& situation, 
            p.y() <= region.y_high + 0.3;
   };
   if (place && !inside(*place)) place.reset();
-  if (!place || (view.tick + 2 * robot.number) % think_every == 0) {
+  if (!place || (view.tick + 5 * robot.number) % think_every == 0) {
     double best = -1;
     Vector2d chosen = robot.position;
     const auto consider = [&](const Vector2d& point, double bonus) {
@@ -67,7 +67,7 @@ skills::Order Supports::play(const kit::View& view, const Situation& situation, 
       chosen = point;
     };
     if (place) consider(*place, keep);
-    constexpr int columns = 4;
+    constexpr int columns = 3;
     constexpr int rows = 3;
     for (int i = 0; i < columns; ++i) {
       for (int j = 0; j < rows; ++j) {

@@ -22,7 +22,7 @@ Region support_region(const kit::View& view, int index, int count);
 /// How good it is to wait for a pass at that point [0..1]: the pass arrives, and something can be made of it.
 double support_value(const kit::View& view, const Situation& situation, const Vector2d& point, int robot);
 
-/// Supporters wait where a pass would be worth most. Thinks at 5 Hz for each robot, staggered.
+/// Supporters wait where a pass would be worth most. Thinks at 4 Hz for each robot, staggered.
 class Supports {
  public:
   skills::Order play(const kit::View& view, const Situation& situation, const kit::Robot& robot, int index,

@@ -24,6 +24,8 @@ Opening widest_opening(const Vector2d& from, const world::Segment& segment, std:
   const Vector2d normal = world::rotated(segment.to - segment.from, M_PI / 2);
   const double side = (from - segment.from).dot(normal);
 
+  const Vector2d edge_first = (segment.from - from).normalized();
+  const Vector2d edge_second = (segment.to - from).normalized();
   std::array<Edge, 2 * most_blockers> edges;
   std::size_t count = 0;
   for (const Blocker& blocker : blockers) {
@@ -31,6 +33,10 @@ Opening widest_opening(const Vector2d& from, const world::Segment& segment, std:
     // Beyond the segment: cannot be in the way.
     if ((blocker.position - segment.from).dot(normal) * side < 0) continue;
     const Vector2d to = blocker.position - from;
+    // Wholly outside the cone (most are): no angles needed.
+    const double past_first = turn * (edge_first.x() * to.y() - edge_first.y() * to.x());
+    const double past_second = -turn * (edge_second.x() * to.y() - edge_second.y() * to.x());
+    if (past_first < -blocker.radius || past_second < -blocker.radius) continue;
     const double distance = to.norm();
     const double half = distance <= blocker.radius ? M_PI / 2 : std::asin(blocker.radius / distance);
     const double middle = turn * world::wrap_angle(world::angle_of(to) - first);

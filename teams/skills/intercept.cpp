@@ -21,7 +21,7 @@ Meeting meet(const kit::View& view, const kit::Robot& robot, const Limits& limit
     const Vector2d to = place(time) + along * reach - robot.position;
     return travel_time(to, robot.velocity, limits) + reserve - time;
   };
-  constexpr int samples = 12;
+  constexpr int samples = 8;
   constexpr double horizon = 2.5;
   const world::Field& field = view.field();
   double before = 0;

@@ -18,7 +18,7 @@ struct Meeting {
 /// The earliest place on the ball's way that the robot reaches `reserve` seconds before the ball; where the
 /// ball comes to rest (or leaves the field) when there is none.
 ///
-/// 12 samples over at most 2.5 s, then the sign change is refined by regula falsi.
+/// 8 samples over at most 2.5 s, then the sign change is refined by regula falsi.
 ///
 /// @param reach  distance from the robot's centre to the ball when it has it [m]
 /// Source  reference "football", 2.4

@@ -121,7 +121,7 @@ Drive::Drive(const Vector2d& to_target, const Vector2d& velocity, const Limits& 
     // T_along falls and T_across rises with the cosine: halve on their difference.
     double low = 0.02;
     double high = 0.9998;
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 7; ++i) {
       along = 0.5 * (low + high);
       across = std::sqrt(1 - along * along);
       const bool along_is_later =

@@ -51,7 +51,7 @@ double time_to_rest(double distance, double speed, const Limits& limits);
 /// Motion in the plane with both axes arriving together; the axes share the limits as cos and sin of an angle
 /// found by bisection.
 ///
-/// Accuracy  |T_x - T_y| below 1 % of T after 8 halvings; each axis ends exactly at the target.
+/// Accuracy  |T_x - T_y| below 2 % of T after 7 halvings; each axis ends exactly at the target.
 /// Source    reference "football", 2.2. The axes lie along and across the line to the target, so that a robot
 /// at
 ///           rest drives straight.

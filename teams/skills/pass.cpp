@@ -25,8 +25,8 @@ double pass_safety(const kit::View& view, const kit::BallModel& model, const Vec
     for (const double s : {nearest, 0.5 * (nearest + length), length}) {
       const double ball = model.time_to_cover(speed, c * speed, s);
       const Vector2d point = from + along * s;
-      const double robot =
-          reaction + time_to_touch(point - opponent.position, opponent.velocity, limits, reach);
+      const double drive = time_to_touch(point - opponent.position, opponent.velocity, limits, reach);
+      const double robot = drive > 0 ? reaction + drive : 0;  // who stands there need not react
       least = std::min(least, robot - ball);
     }
   }

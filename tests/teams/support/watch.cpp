@@ -16,15 +16,15 @@
 
 namespace {
 
-support::Side side(const std::string& name) {
+support::Side side(const std::string& name, bool tracing_notes) {
   support::Side s;
   if (name == "none") return s;
   if (name == "chaser") {
     s.make = [](const kit::Setup&) { return std::make_unique<chaser::Chaser>(); };
     return s;
   }
-  s.make = [](const kit::Setup& setup) {
-    return std::make_unique<reference::ReferenceTeam>(setup, reference::Parameters{}, true);
+  s.make = [tracing_notes](const kit::Setup& setup) {
+    return std::make_unique<reference::ReferenceTeam>(setup, reference::Parameters{}, tracing_notes);
   };
   if (name == "three") s.robots = {0, 1, 2};
   if (name == "half") s.speed_factor = 0.5;
@@ -44,7 +44,8 @@ int main(int argc, char** argv) {
   std::map<std::string, int> rows;
   int yellow_goals = 0, blue_goals = 0, wins = 0, losses = 0;
   for (int game = 0; game < games; ++game) {
-    support::Arena arena(side(arg(4, "reference")), side(arg(5, "reference")),
+    support::Arena arena(side(arg(4, "reference"), trace_from >= 0),
+                         side(arg(5, "reference"), trace_from >= 0),
                          static_cast<std::uint64_t>(first_seed + game));
     arena.start_referee(world::from_seconds(half));
     std::int64_t in_play = 0;
