@@ -28,7 +28,8 @@ bool is_plausible(const world::Vector2d& position) {
 }
 
 bool has_usable_time(const world::Detection& detection) {
-  return std::abs(detection.t_capture.time_since_epoch().count()) < max_time;
+  const std::int64_t t = detection.t_capture.time_since_epoch().count();
+  return -max_time < t && t < max_time;
 }
 
 }  // namespace
