@@ -157,7 +157,10 @@ class Team:
 
 def main():
     parser = argparse.ArgumentParser(prog="team-example-python", description="The example team in Python.")
-    parser.parse_args()
+    _, unknown = parser.parse_known_args()
+    if unknown:
+        print(f"team-example-python: unknown argument {unknown[0]} (see --help)", file=sys.stderr)
+        return 2
     path = os.environ.get("MATCHDAY_SOCKET")
     if not path:
         print("team-example-python: MATCHDAY_SOCKET is not set; a host starts this program, "

@@ -30,7 +30,7 @@ class Team {
   virtual void play(const View& view, world::TeamCommands& out) = 0;
   /// The robot that is to be goalkeeper; told to the referee at the start.
   virtual int keeper(const Setup& setup) const;
-  /// What it was thinking, for the game's log (with --notes).
+  /// What it was thinking, for the game's log (with --notes on).
   virtual std::string_view note() const { return {}; }
 };
 

@@ -15,7 +15,7 @@ struct Parameters {
   double stop_distance = 0.6;     ///< [m] hull to ball during STOP and their kicks; the laws ask 0.5
   double dribble_distance = 0.7;  ///< [m] then the ball is let go; the laws allow 1.0
   double kick_delay = 0.5;        ///< [s] after the referee's signal before a free kick is taken
-  int defenders = 2;              ///< besides the goalkeeper, while we have the ball
+  int defenders = 3;              ///< besides the goalkeeper, while we have the ball
 };
 
 /// Makes each of them a flag with its range.
