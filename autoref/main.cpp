@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <string_view>
 
 #include "autoref/replay.h"
 
@@ -24,6 +25,10 @@ int main(int argc, char** argv) {
           "auto: referee for logs of matchday, watch for all others")
       ->transform(CLI::CheckedTransformer(modes).description("{auto,referee,watch}"));
 
+  if (argc > 1 && argv[1][0] != '-' && std::string_view(argv[1]) != "replay") {
+    std::cerr << "ssl-autoref: unknown command '" << argv[1] << "'; known is: replay\n";
+    return 2;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -19,6 +19,8 @@ ended by a fault; 5 trouble with a result folder; 70 a mistake in matchday itsel
 Ctrl-C and TERM (run: the same command continues).)";
 
 const CLI::Range robot_number(0, 15);
+const CLI::Range half_length(1.0,
+                             3600.0);  // [s]; a game over 40 simulated minutes is ended as a fault anyway
 const CLI::Range speed_factor(0.01, 1.0);
 
 void add_team(CLI::App& app, const std::string& colour, commands::TeamOptions& team) {
@@ -41,7 +43,7 @@ void add_play(CLI::App& main, commands::PlayOptions& options) {
   app.add_option("--rules", options.rules, "rule set: ssl-2015 or paper")->capture_default_str();
   app.add_option("--realism", options.realism, "none, friendly, measured or harsh")->capture_default_str();
   app.add_option("--half-length", options.half_length, "seconds of a half, if not the rule set's")
-      ->check(CLI::PositiveNumber);
+      ->check(half_length);
   app.add_flag("--blue-on-negative-half", options.blue_on_negative_half, "blue defends the goal at -x first");
   app.add_flag("--blue-kicks-off", options.blue_kicks_off, "blue has the first kickoff");
   app.add_option("--log", options.log, "write the game as a league log, FILE.log or FILE.log.gz");
@@ -81,7 +83,7 @@ void add_bench(CLI::App& main, bench::BenchOptions& options) {
   app.add_option("--realism", options.game.realism, "none, friendly, measured or harsh")
       ->capture_default_str();
   app.add_option("--half-length", options.game.half_length, "seconds of a half, if not the rule set's")
-      ->check(CLI::PositiveNumber);
+      ->check(half_length);
   app.add_option("--cpu", options.cpu, "processor for host and teams; -1: wherever the system likes")
       ->capture_default_str();
   app.add_flag("--json", options.as_json, "print JSON");
@@ -101,6 +103,21 @@ void check_command(const CLI::App& app, const std::string& word) {
     if (!command->get_group().empty()) known += (known.empty() ? "" : ", ") + command->get_name();
   }
   throw std::invalid_argument("unknown command '" + word + "'; known are: " + known);
+}
+
+/// CLI11 would complain of a missing flag first, which hides the misspelt one.
+void check_flags(const CLI::App& app, int argc, char** argv) {
+  const auto named = [&](const CLI::App* command) { return argc > 1 && command->get_name() == argv[1]; };
+  const std::vector<const CLI::App*> commands = app.get_subcommands(named);
+  if (commands.empty()) return;
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (!word.starts_with("--") || word == "--") continue;
+    const std::string flag = word.substr(0, word.find('='));
+    if (commands.front()->get_option_no_throw(flag) == nullptr) {
+      throw std::invalid_argument("unknown flag '" + flag + "'; see matchday " + argv[1] + " --help");
+    }
+  }
 }
 
 int complain(const std::string& sentence, ExitCode code) {
@@ -127,6 +144,7 @@ int matchday(int argc, char** argv) {
   add_worker(app, worker);
 
   if (argc > 1 && argv[1][0] != '-') check_command(app, argv[1]);
+  check_flags(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -94,6 +94,8 @@ TEST_P(MatchdayMistake, IsOneSentenceAndItsExitCode) {
 INSTANTIATE_TEST_SUITE_P(
     All, MatchdayMistake,
     testing::Values(
+        Mistake{"play --blu x", "unknown flag '--blu'; see matchday play --help", 2},
+        Mistake{"play --blue true --yellow true --half-length -3", "-3 not in range 1", 2},
         Mistake{"", "subcommand", 2}, Mistake{"dance", "unknown command 'dance'; known are: play, run", 2},
         Mistake{"run good.toml --fast", "--fast", 2}, Mistake{"run", "design is required", 2},
         Mistake{"run nothing.toml", "nothing.toml: cannot be read", 2},
