@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t team_width = 33;  // with it a line has 107 columns
 
 std::string shortened(const std::string& text, std::size_t width) {
-  return text.size() <= width ? text : text.substr(0, width - 1) + "~";
+  return text.size() <= width ? text : fmt::format("{}~", text.substr(0, width - 1));
 }
 
 std::string side_line(const std::string& team, const Row& row, const Side& side, const Side& other) {

@@ -37,7 +37,7 @@ std::string described(const record::Attempt& attempt) {
   if (outcome == record::Outcome::Void) {
     text = "void: " + record.reason;
   } else if (record.at_fault != record::Party::Nobody) {
-    text = std::string("forfeit, ") + (a_is(attempt, outcome) ? "B" : "A") + " at fault: " + record.reason;
+    text = printed("forfeit, %s at fault: ", a_is(attempt, outcome) ? "B" : "A") + record.reason;
   }
   return text + printed(" (%.1f s)", record.wall_seconds);
 }
@@ -89,7 +89,7 @@ void Progress::tick(std::size_t running, Clock::time_point now) {
   if (!terminal_ || now - drawn_ < redraw) return;
   drawn_ = now;
   std::string text = line(now) + printed(" | %zu running", running);
-  if (text.size() > widest) text = text.substr(0, widest - 3) + "...";
+  if (text.size() > widest) text.replace(widest - 3, std::string::npos, "...");
   out_ << "\r\033[K" << text << std::flush;
 }
 
