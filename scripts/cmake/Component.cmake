@@ -6,7 +6,8 @@
 #
 # add_program(<name> SOURCES ... USES ...)
 #
-# A program; all of them land in one folder, bin/, so that `matchday` finds the teams beside it.
+# A program; all of them land in one folder, bin/, so that `matchday` finds the teams beside it. The target `programs` builds
+# all of them without the tests.
 
 set(SANITIZE "" CACHE STRING "Sanitizers for every target, e.g. address,undefined")
 
@@ -65,11 +66,14 @@ function(add_component name)
   endif()
 endfunction()
 
+add_custom_target(programs)
+
 function(add_program name)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;USES")
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_USES} project_options)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+  add_dependencies(programs ${name})
   precompile(${name} components)
 endfunction()
