@@ -34,9 +34,12 @@ engine::Model model_of(const record::MatchConfig& config) {
   const world::RuleSet rules = rules_of(config);
   engine::Model model;
   model.geometry.field = rules.field;
-  model.geometry.cameras = world::quarter_cameras(rules.field);
   model.blue_on_positive_half = config.blue_on_positive_half;
   model.realism = engine::realism(config.realism);
+  const vision::Params& vision = model.realism.vision;
+  model.geometry.cameras = world::camera_grid(rules.field, vision.cameras, vision.camera_height);
+  model.geometry.ball_slide_deceleration = model.realism.physics.ball.slide_deceleration;
+  model.geometry.ball_roll_deceleration = model.realism.physics.ball.roll_deceleration;
   model.seed = config.seed;
   for (const world::Team team : world::both_teams) {
     const record::TeamConfig& its = config.teams[team];
@@ -48,7 +51,7 @@ engine::Model model_of(const record::MatchConfig& config) {
                                   " robots, 1 to " + std::to_string(rules.robots_per_team) + " are possible");
     }
     try {
-      model.robots[team] = engine::standard_robots(team, its.robots, its.speed_factor);
+      model.robots[team] = engine::standard_robots(team, its.robots, its.speed_factor, model.realism.robots);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(who + error.what());
     }

@@ -28,7 +28,7 @@ std::string hello_frame(world::Team team, const record::MatchConfig& config, con
     hello.add_robots(specs.id.number);
   }
   hello.set_tick_length(world::tick_length);
-  hello.set_command_latency(static_cast<std::uint32_t>(model.realism.command_latency));
+  hello.set_command_latency(static_cast<std::uint32_t>(model.realism.radio.latency));
   hello.set_vision_latency(static_cast<std::uint32_t>(model.realism.vision.delay));
 
   std::string frame;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sim/engine/line_up.h"
+#include "sim/engine/radio.h"
 #include "sim/physics/world.h"
 #include "sim/vision/cameras.h"
 
@@ -18,7 +19,8 @@ namespace {
 Model completed(Model model) {
   check(model);
   if (model.geometry.cameras.empty()) {
-    model.geometry.cameras = world::quarter_cameras(model.geometry.field);
+    const vision::Params& vision = model.realism.vision;
+    model.geometry.cameras = world::camera_grid(model.geometry.field, vision.cameras, vision.camera_height);
   }
   for (const world::Team team : world::both_teams) {
     auto& robots = model.robots[team];
@@ -46,10 +48,11 @@ struct Engine::State {
   explicit State(Model model_)
       : model(completed(std::move(model_))),
         specs(all_robots(model)),
-        world(model.geometry.field, specs),
+        world(model.geometry.field, specs, model.realism.physics, model.seed),
         cameras(model.geometry, model.realism.vision, model.seed),
-        queue(static_cast<std::size_t>(model.realism.command_latency) + 1) {
+        queue(static_cast<std::size_t>(model.realism.radio.latency) + 1) {
     for (const world::Team team : world::both_teams) index[team].fill(-1);
+    for (const world::RobotSpecs& one : specs) radios.emplace_back(one.id, model.realism.radio, model.seed);
     for (std::size_t i = 0; i < specs.size(); ++i) {
       index[specs[i].id.team][specs[i].id.number] = static_cast<int>(i);
     }
@@ -77,13 +80,14 @@ struct Engine::State {
   }
 
   void apply(const world::PerTeam<world::TeamCommands>& commands) {
-    for (std::size_t i = 0; i < specs.size(); ++i) world.set_command(i, {.number = specs[i].id.number});
+    for (RobotRadio& radio : radios) radio.begin_tick();
     for (const world::Team team : world::both_teams) {
       for (const world::RobotCommand& command : commands[team]) {
         const auto addressed = robot({team, command.number});
-        if (addressed && is_finite(command)) world.set_command(*addressed, command);
+        if (addressed && is_finite(command)) radios[*addressed].send(command);
       }
     }
+    for (std::size_t i = 0; i < specs.size(); ++i) world.set_command(i, radios[i].heard());
   }
 
   Model model;
@@ -91,6 +95,7 @@ struct Engine::State {
   world::PerTeam<std::array<int, world::max_robot_number + 1>> index;  // into specs, by number; -1 for none
   physics::World world;
   vision::Cameras cameras;
+  std::vector<RobotRadio> radios;                          // as specs
   std::vector<world::PerTeam<world::TeamCommands>> queue;  // ring of latency + 1 ticks
   truth::Frame frame;
   Timing* timing = nullptr;
@@ -145,6 +150,11 @@ void Engine::place_ball(const world::Vector2d& spot) {
   state_->read_poses();
 }
 
+void Engine::put_ball(const truth::Ball& ball) {
+  state_->world.place_ball(ball);
+  state_->read_poses();
+}
+
 bool Engine::spot_is_free(const world::Vector2d& spot, double clearance) const {
   return state_->world.distance_to_robots(spot) > clearance;
 }
@@ -159,13 +169,15 @@ void Engine::remove_robot(world::RobotId id) {
   state_->read_poses();
 }
 
-void Engine::put_robot(world::RobotId id, const world::Vector2d& position, double orientation) {
+void Engine::put_robot(world::RobotId id, const world::Vector2d& position, double orientation,
+                       const world::Vector2d& velocity, double angular_velocity) {
   const auto robot = state_->robot(id);
   if (!robot) {
     throw std::invalid_argument(std::string("the model has no ") + name(id.team) + " robot " +
                                 std::to_string(id.number));
   }
   state_->world.put_robot(*robot, position, orientation);
+  state_->world.set_motion(*robot, velocity, angular_velocity);
   state_->read_poses();
 }
 

@@ -37,7 +37,8 @@ class Engine {
 
   /// Advances the world by one tick (4 substeps of 1/240 s).
   ///
-  /// Commands are delayed by `Realism::command_latency`: those of step k move the robots in step k + latency.
+  /// Commands are delayed by `RadioParams::latency`: those of step k move the robots in step k + latency.
+  /// A robot that does not hear its command (RadioParams::loss) goes on with the one before for a while.
   /// A robot that is not in its team's commands stops (zero velocity, no kick, dribbler off); commands for
   /// robots that do not exist, and numbers that are not finite, count as nothing; of two for one robot the
   /// last one counts.
@@ -59,6 +60,9 @@ class Engine {
   /// Robots in the way stay: see `push_robots_out`. They are pushed off by the physics, without energy.
   void place_ball(const world::Vector2d& spot);
 
+  /// Puts the ball somewhere with a motion of its own; contact caches are cleared.
+  void put_ball(const truth::Ball& ball);
+
   /// Says whether no robot's hull is within `clearance` [m] of the point `spot`.
   bool spot_is_free(const world::Vector2d& spot, double clearance) const;
 
@@ -69,9 +73,10 @@ class Engine {
   /// Takes a robot off the field; nothing happens when it is not there.
   void remove_robot(world::RobotId id);
 
-  /// Puts a robot of the model at a place, at rest.
+  /// Puts a robot of the model at a place, on or off the field so far, with a motion [m/s, rad/s] or at rest.
   /// @throws std::invalid_argument when the model has no such robot
-  void put_robot(world::RobotId id, const world::Vector2d& position, double orientation);
+  void put_robot(world::RobotId id, const world::Vector2d& position, double orientation,
+                 const world::Vector2d& velocity = world::Vector2d::Zero(), double angular_velocity = 0);
 
  private:
   struct State;

@@ -43,10 +43,14 @@ void check_robot(const world::RobotSpecs& specs, const std::string& owner) {
   check_positive(owner, "center_to_dribbler", specs.center_to_dribbler);
   check_positive(owner, "dribbler_width", specs.dribbler_width);
   check_positive(owner, "max_speed", specs.max_speed);
+  check_positive(owner, "max_speed_sideways", specs.max_speed_sideways);
   check_positive(owner, "max_acceleration", specs.max_acceleration);
+  check_positive(owner, "max_acceleration_sideways", specs.max_acceleration_sideways);
   check_positive(owner, "max_brake", specs.max_brake);
+  check_positive(owner, "max_brake_sideways", specs.max_brake_sideways);
   check_positive(owner, "max_angular_speed", specs.max_angular_speed);
   check_positive(owner, "max_angular_acceleration", specs.max_angular_acceleration);
+  check_positive(owner, "max_angular_brake", specs.max_angular_brake);
   check_positive(owner, "max_kick_speed", specs.max_kick_speed);
   check_positive(owner, "max_chip_speed", specs.max_chip_speed);
   require(specs.center_to_dribbler < specs.radius,
@@ -58,12 +62,14 @@ void check_robot(const world::RobotSpecs& specs, const std::string& owner) {
           owner + ": max_chip_speed must be at most 7 m/s, is " + std::to_string(specs.max_chip_speed));
   require(specs.max_speed <= 10,
           owner + ": max_speed must be at most 10 m/s, is " + std::to_string(specs.max_speed));
+  require(specs.max_speed_sideways <= 10, owner + ": max_speed_sideways must be at most 10 m/s, is " +
+                                              std::to_string(specs.max_speed_sideways));
 }
 
 }  // namespace
 
 std::vector<world::RobotSpecs> standard_robots(world::Team team, const std::vector<int>& numbers,
-                                               double speed_factor) {
+                                               double speed_factor, const world::RobotSpecs& body) {
   require(std::isfinite(speed_factor) && speed_factor > 0 && speed_factor <= largest_speed_factor,
           std::string(name(team)) + ": speed_factor must be above 0 and at most 10, is " +
               std::to_string(speed_factor));
@@ -71,7 +77,7 @@ std::vector<world::RobotSpecs> standard_robots(world::Team team, const std::vect
   for (const int number : numbers) {
     require(number >= 0 && number <= world::max_robot_number,
             std::string(name(team)) + ": robot number must be 0 to 15, is " + std::to_string(number));
-    world::RobotSpecs specs;
+    world::RobotSpecs specs = body;
     specs.id = {team, static_cast<std::uint8_t>(number)};
     robots.push_back(world::slowed(specs, speed_factor));
   }
@@ -95,9 +101,10 @@ void check(const Model& model) {
       check_robot(specs, owner);
     }
   }
-  require(
-      model.realism.command_latency >= 0 && model.realism.command_latency <= 60,
-      "realism: command_latency must be 0 to 60 ticks, is " + std::to_string(model.realism.command_latency));
+  for (const RealismKey& key : realism_keys()) {
+    Realism checked = model.realism;
+    set(checked, key.name, key.get(model.realism));
+  }
 }
 
 }  // namespace engine

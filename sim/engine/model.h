@@ -18,11 +18,12 @@ struct Model {
   std::uint64_t seed = 0;
 };
 
-/// Robots of a team by number, all with the default body and limits, slowed by `speed_factor`.
+/// Robots of a team by number, all with the body and limits of `body` (its id does not matter), slowed by
+/// `speed_factor`.
 ///
 /// @throws std::invalid_argument when speed_factor is not in (0, 10]
 std::vector<world::RobotSpecs> standard_robots(world::Team team, const std::vector<int>& numbers,
-                                               double speed_factor = 1);
+                                               double speed_factor = 1, const world::RobotSpecs& body = {});
 
 /// Checks a model before it is used.
 ///

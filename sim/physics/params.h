@@ -61,6 +61,21 @@ struct PerchParams {
   double push = 1.0;  ///< [m/s^2] outward; ours: a cover sloping by 6 degrees
 };
 
+/// How far actuators miss what was asked of them. All zero: perfect.
+///
+/// Drawn from streams of their own for each robot, named "actuators <team> <number>": what one robot does
+/// never shifts another's luck. The presets are in sim/engine/realism.cpp.
+struct ActuatorErrors {
+  double kick_direction_sigma = 0;  ///< [rad] of each kick and chip
+  double kick_speed_sigma = 0;      ///< share of the commanded speed, each kick and chip
+  double chip_angle_sigma = 0;      ///< [rad] of elevation, each chip
+  double misfire = 0;               ///< probability that the kicker fires without reaching the ball
+  double grip_sigma = 0;            ///< share of the dribbler's grip, anew for each capture
+  double speed_sigma = 0;           ///< share of the speed driven; one factor per robot and game
+  double acceleration_sigma = 0;    ///< share of acceleration and braking; one factor per robot and game
+  double heading_drift_sigma = 0;   ///< [rad/m] turn per metre driven; one number per robot and game
+};
+
 /// Bullet's settings (reference "physics", 1c, 1d).
 struct SolverParams {
   int iterations = 10;
@@ -75,6 +90,7 @@ struct Params {
   KickerParams kicker;
   DribblerParams dribbler;
   PerchParams perch;
+  ActuatorErrors actuators;
   SolverParams solver;
 };
 

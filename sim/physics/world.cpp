@@ -169,7 +169,8 @@ int World::Impl::bullet_steps(bool near_robot) const {
   return near_robot || near_goal ? 2 : 1;
 }
 
-World::World(const world::Field& field, std::span<const world::RobotSpecs> robots, const Params& params)
+World::World(const world::Field& field, std::span<const world::RobotSpecs> robots, const Params& params,
+             std::uint64_t /*seed*/)
     : impl_(std::make_unique<Impl>(field, robots, params)) {
   assert(
       std::is_sorted(robots.begin(), robots.end(), [](const auto& a, const auto& b) { return a.id < b.id; }));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -19,8 +20,10 @@ namespace physics {
 /// in the middle of a substep, so that free motion under constant acceleration is exact.
 class World {
  public:
+  /// @param seed    of the match, for the actuators' errors
   /// @param robots  all robots that may ever be on the field, sorted by id, ids unique; none is on it yet
-  World(const world::Field& field, std::span<const world::RobotSpecs> robots, const Params& params = {});
+  World(const world::Field& field, std::span<const world::RobotSpecs> robots, const Params& params = {},
+        std::uint64_t seed = 0);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;

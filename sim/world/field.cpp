@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace world {
 namespace {
@@ -17,15 +19,31 @@ Vector2d to_field(const Field& field, Side side, const Vector2d& point) {
 
 }  // namespace
 
-std::vector<Camera> quarter_cameras(const Field& field, double height) {
+std::vector<Camera> camera_grid(const Field& field, int count, double height) {
+  if (count != 1 && count != 2 && count != 4 && count != 6 && count != 8) {
+    throw std::invalid_argument("cameras: 1, 2, 4, 6 or 8 are possible, not " + std::to_string(count));
+  }
+  if (!(std::isfinite(height) && height > 0)) {
+    throw std::invalid_argument("camera height must be positive, is " + std::to_string(height));
+  }
+  const int rows = count <= 2 ? 1 : 2;
+  const int columns = count / rows;
+  const auto middle = [](double length, int part, int parts) {
+    return length * (2 * part + 1 - parts) / (2 * parts);
+  };
   std::vector<Camera> cameras;
-  for (const double x : {-1.0, 1.0}) {
-    for (const double y : {-1.0, 1.0}) {
-      const int id = static_cast<int>(cameras.size());
-      cameras.push_back({id, {x * field.length / 4, y * field.width / 4, height}});
+  for (int column = 0; column < columns; ++column) {
+    for (int row = 0; row < rows; ++row) {
+      Camera& camera = cameras.emplace_back();
+      camera.id = static_cast<int>(cameras.size()) - 1;
+      camera.position = {middle(field.length, column, columns), middle(field.width, row, rows), height};
     }
   }
   return cameras;
+}
+
+std::vector<Camera> quarter_cameras(const Field& field, double height) {
+  return camera_grid(field, 4, height);
 }
 
 Vector2d goal_center(const Field& field, Side side) { return {sign(side) * field.half_length(), 0}; }

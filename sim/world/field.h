@@ -43,6 +43,9 @@ struct Field {
 struct Camera {
   int id = 0;
   Vector3d position = Vector3d::Zero();  ///< [m] field frame
+  double focal_length = 800;             ///< [px] pinhole, looking straight down, no distortion
+  int image_width = 1280;                ///< [px] along x; the principal point is the middle
+  int image_height = 1024;               ///< [px] along y
 };
 
 /// What SSL-Vision's geometry message tells everyone.
@@ -54,7 +57,13 @@ struct Geometry {
   double ball_switch_ratio = 5.0 / 7.0;  ///< rolling begins at this share of the kick speed
 };
 
-/// Four cameras above the centres of the quarters, 4 m high (paper, 3.1; usual height of SSL-Vision set-ups).
+/// `count` cameras over the centres of equal parts of the field: 1, 2 (halves), 4 (quarters), 6 or 8 (two
+/// rows). The paper has four (3.1), and 4 m is the usual height of SSL-Vision set-ups.
+///
+/// @throws std::invalid_argument for another count or a height that is not positive
+std::vector<Camera> camera_grid(const Field& field, int count, double height);
+
+/// Four cameras above the centres of the quarters, 4 m high.
 std::vector<Camera> quarter_cameras(const Field& field, double height = 4.0);
 
 /// Which goal: the one at -x or the one at +x.

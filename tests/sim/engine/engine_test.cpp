@@ -81,7 +81,7 @@ TEST(Engine, OnlyTheRobotsOfTheModelArePresent) {
 TEST(Engine, CommandsWaitForTheirLatency) {
   for (const int latency : {0, 1, 2, 5}) {
     Model model = six_a_side();
-    model.realism.command_latency = latency;
+    model.realism.radio.latency = latency;
     Engine engine(model);
     Commands commands;
     commands[Team::Yellow] = {forward(1, 1)};

@@ -54,8 +54,8 @@ TEST(Model, ComplaintsNameTeamRobotFieldAndValue) {
   model.geometry.field.boundary_width = 0.2;
   EXPECT_THAT(complaint(model), testing::HasSubstr("boundary_width"));
   model = six_a_side();
-  model.realism.command_latency = -1;
-  EXPECT_THAT(complaint(model), testing::HasSubstr("command_latency"));
+  model.realism.radio.latency = -1;
+  EXPECT_THAT(complaint(model), testing::HasSubstr("radio.latency"));
 }
 
 TEST(StandardRobots, AreSlowedByTheirFactor) {
@@ -72,13 +72,13 @@ TEST(StandardRobots, AreSlowedByTheirFactor) {
 
 TEST(Realism, PresetsAreKnownByName) {
   EXPECT_EQ(engine::realism("none").vision.ball_sigma, 0);
-  EXPECT_EQ(engine::realism("none").command_latency, 1);
+  EXPECT_EQ(engine::realism("none").radio.latency, 1);
   EXPECT_EQ(engine::realism("measured").vision.ball_sigma, 0.0005);
   EXPECT_EQ(engine::realism("measured").vision.robot_sigma, 0.00055);
   EXPECT_EQ(engine::realism("measured").vision.orientation_sigma, 0.0035);
   EXPECT_EQ(engine::realism("measured").vision.delay, 1);
   EXPECT_EQ(engine::realism("friendly").vision.delay, 0);
-  EXPECT_EQ(engine::realism("harsh").command_latency, 2);
+  EXPECT_EQ(engine::realism("harsh").radio.latency, 2);
   try {
     engine::realism("real");
     FAIL();

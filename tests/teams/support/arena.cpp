@@ -34,7 +34,7 @@ Arena::Arena(Side yellow, Side blue, std::uint64_t seed, const char* realism) {
     setup.geometry = model.geometry;
     setup.robots = model.robots[team];
     setup.vision_delay = model.realism.vision.delay;
-    setup.command_latency = model.realism.command_latency;
+    setup.command_latency = model.realism.radio.latency;
     Player& player = players_[team];
     player.team = sides[team]->make(setup);
     player.tracker.emplace(model.geometry);
