@@ -6,6 +6,10 @@
 
 namespace commands {
 
-int bench(const bench::BenchOptions& options) { return bench::bench(options, std::cout); }
+int bench(const bench::BenchOptions& options, const RealismOptions& realism) {
+  bench::BenchOptions settings = options;
+  settings.game.realism = realism_config(realism);
+  return bench::bench(settings, std::cout);
+}
 
 }  // namespace commands

@@ -21,21 +21,43 @@ struct TeamOptions {
   double speed_factor = 1;
 };
 
+struct RealismOptions {
+  std::string preset = "measured";   ///< or a TOML file with a table [realism]
+  std::vector<std::string> changes;  ///< as "vision.ball_sigma=0.001"
+};
+
+/// What they ask for, checked.
+/// @throws std::invalid_argument naming file, line, key and value
+record::RealismConfig realism_config(const RealismOptions& options);
+
 struct PlayOptions {
   TeamOptions blue;
   TeamOptions yellow;
   std::uint64_t seed = 1;
   std::string rules = "ssl-2015";
-  std::string realism = "measured";
+  RealismOptions realism;
   std::optional<double> half_length;  ///< [s]
   bool blue_on_negative_half = false;
   bool blue_kicks_off = false;
   std::optional<std::filesystem::path> log;
+  std::optional<std::filesystem::path> recording;
   std::filesystem::path team_logs;  ///< folder; empty: none
   bool json = false;                ///< the record instead of the text
 };
 /// One game, told as it happens.
 int play(const PlayOptions& options);
+
+struct ContinueOptions {
+  std::filesystem::path recording;
+  std::optional<double> from;  ///< [s] when live teams take over; nothing: the recorded ones play to the end
+  std::string blue, yellow;    ///< commands; empty: the recorded ones
+  std::optional<std::filesystem::path> log;
+  std::optional<std::filesystem::path> new_recording;
+  std::filesystem::path team_logs;  ///< folder; empty: none
+  bool json = false;
+};
+/// A recorded game again, up to a moment or to its end.
+int continue_game(const ContinueOptions& options);
 
 struct RunOptions {
   std::filesystem::path design;
@@ -71,7 +93,10 @@ struct WorkerOptions {
 /// One game for a runner.
 int worker(const WorkerOptions& options);
 
+/// A preset as TOML with the meaning, unit and range of every key.
+int realism(const RealismOptions& options);
+
 /// The cost table.
-int bench(const bench::BenchOptions& options);
+int bench(const bench::BenchOptions& options, const RealismOptions& realism);
 
 }  // namespace commands

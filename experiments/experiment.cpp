@@ -26,7 +26,7 @@ report::Summary summary(const Experiment& experiment) {
   header.description = design.description;
   header.rules = design.rules;
   header.half_length = design.half_length;
-  header.realism = design.realism;
+  header.realism = record::text(design.realism);
   header.seed = design.seed;
   header.pairs = design.pairs;
   header.forfeit_goals = design.forfeit_goals;

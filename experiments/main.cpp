@@ -35,18 +35,42 @@ void add_team(CLI::App& app, const std::string& colour, commands::TeamOptions& t
       ->check(speed_factor);
 }
 
+void add_realism(CLI::App& app, const std::string& flag, commands::RealismOptions& options) {
+  app.add_option(flag, options.preset,
+                 "none, friendly, measured, harsh, or a TOML file with a table [realism]")
+      ->capture_default_str();
+  app.add_option("--set", options.changes,
+                 "change a number of it, as vision.ball_sigma=0.001; may be repeated")
+      ->allow_extra_args(false);
+}
+
 void add_play(CLI::App& main, commands::PlayOptions& options) {
   CLI::App& app = *main.add_subcommand("play", "play one game and tell every call");
   add_team(app, "blue", options.blue);
   add_team(app, "yellow", options.yellow);
   app.add_option("--seed", options.seed, "the only source of chance")->capture_default_str();
   app.add_option("--rules", options.rules, "rule set: ssl-2015 or paper")->capture_default_str();
-  app.add_option("--realism", options.realism, "none, friendly, measured or harsh")->capture_default_str();
+  add_realism(app, "--realism", options.realism);
   app.add_option("--half-length", options.half_length, "seconds of a half, if not the rule set's")
       ->check(half_length);
   app.add_flag("--blue-on-negative-half", options.blue_on_negative_half, "blue defends the goal at -x first");
   app.add_flag("--blue-kicks-off", options.blue_kicks_off, "blue has the first kickoff");
   app.add_option("--log", options.log, "write the game as a league log, FILE.log or FILE.log.gz");
+  app.add_option("--record", options.recording, "keep the teams' replies in FILE, for `matchday continue`");
+  app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
+  app.add_flag("--json", options.json, "print configuration and record as JSON");
+}
+
+void add_continue(CLI::App& main, commands::ContinueOptions& options) {
+  CLI::App& app = *main.add_subcommand(
+      "continue", "play a recorded game again, to its end without teams, or on from a moment with live ones");
+  app.add_option("recording", options.recording, "what `matchday play --record` wrote")->required();
+  app.add_option("--from", options.from, "seconds of the match at which live teams take over")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--blue", options.blue, "another command for the blue team");
+  app.add_option("--yellow", options.yellow, "another command for the yellow team");
+  app.add_option("--log", options.log, "write the game as a league log, FILE.log or FILE.log.gz");
+  app.add_option("--record", options.new_recording, "keep the replies of this game in another FILE");
   app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
   app.add_flag("--json", options.json, "print configuration and record as JSON");
 }
@@ -76,17 +100,21 @@ void add_replay(CLI::App& main, commands::ReplayOptions& options) {
   app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
 }
 
-void add_bench(CLI::App& main, bench::BenchOptions& options) {
+void add_bench(CLI::App& main, bench::BenchOptions& options, commands::RealismOptions& realism) {
   CLI::App& app =
       *main.add_subcommand("bench", "play the standard game and print what each part of a tick costs");
   app.add_option("--seed", options.game.seed)->capture_default_str();
-  app.add_option("--realism", options.game.realism, "none, friendly, measured or harsh")
-      ->capture_default_str();
+  add_realism(app, "--realism", realism);
   app.add_option("--half-length", options.game.half_length, "seconds of a half, if not the rule set's")
       ->check(half_length);
   app.add_option("--cpu", options.cpu, "processor for host and teams; -1: wherever the system likes")
       ->capture_default_str();
   app.add_flag("--json", options.as_json, "print JSON");
+}
+
+void add_show_realism(CLI::App& main, commands::RealismOptions& options) {
+  CLI::App& app = *main.add_subcommand("realism", "print a preset with the meaning and range of every key");
+  add_realism(app, "preset", options);
 }
 
 void add_worker(CLI::App& main, commands::WorkerOptions& options) {
@@ -131,16 +159,21 @@ int matchday(int argc, char** argv) {
   app.footer(footer);
   app.require_subcommand(1);
   commands::PlayOptions play;
+  commands::ContinueOptions continuation;
   commands::RunOptions run;
   commands::ReportOptions report;
   commands::ReplayOptions replay;
   commands::WorkerOptions worker;
   bench::BenchOptions bench;
+  commands::RealismOptions bench_realism;
+  commands::RealismOptions realism;
   add_play(app, play);
+  add_continue(app, continuation);
   add_run(app, run);
   add_report(app, report);
   add_replay(app, replay);
-  add_bench(app, bench);
+  add_bench(app, bench, bench_realism);
+  add_show_realism(app, realism);
   add_worker(app, worker);
 
   if (argc > 1 && argv[1][0] != '-') check_command(app, argv[1]);
@@ -154,10 +187,12 @@ int matchday(int argc, char** argv) {
   }
 
   if (app.got_subcommand("play")) return commands::play(play);
+  if (app.got_subcommand("continue")) return commands::continue_game(continuation);
   if (app.got_subcommand("report")) return commands::report(report);
   if (app.got_subcommand("replay")) return commands::replay(replay);
   if (app.got_subcommand("worker")) return commands::worker(worker);
-  if (app.got_subcommand("bench")) return commands::bench(bench);
+  if (app.got_subcommand("bench")) return commands::bench(bench, bench_realism);
+  if (app.got_subcommand("realism")) return commands::realism(realism);
   run.version = MATCHDAY_VERSION;
   run.command_line.assign(argv, argv + argc);
   return commands::run(run);

@@ -17,4 +17,8 @@ struct OneGame {
 /// Plays it and tells every call as it happens; null: silent.
 OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls);
 
+/// Checks the configuration, plays it and tells all of it, as text or JSON.
+/// @return  the exit code
+int tell_one_game(const record::MatchConfig& config, bool json);
+
 }  // namespace commands

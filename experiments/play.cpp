@@ -37,18 +37,23 @@ int play(const PlayOptions& options) {
   config.teams.yellow = team(options.yellow, "--yellow");
   config.seed = options.seed;
   config.rules = options.rules;
-  config.realism = options.realism;
+  config.realism = realism_config(options.realism);
   config.half_length = options.half_length;
   config.blue_on_positive_half = !options.blue_on_negative_half;
   config.first_kickoff = options.blue_kicks_off ? world::Team::Blue : world::Team::Yellow;
   config.log = options.log;
+  config.recording = options.recording;
   config.directory = options.team_logs;
+  return tell_one_game(config, options.json);
+}
+
+int tell_one_game(const record::MatchConfig& config, bool json) {
   host::check(config);
   if (!config.directory.empty()) std::filesystem::create_directories(config.directory);
 
-  if (!options.json) tell_circumstances(config, std::cout);
-  const OneGame game = play_one_game(config, options.json ? nullptr : &std::cout);
-  if (options.json) {
+  if (!json) tell_circumstances(config, std::cout);
+  const OneGame game = play_one_game(config, json ? nullptr : &std::cout);
+  if (json) {
     std::cout << "{\"config\":" << record::to_json(config) << ",\"record\":" << record::to_json(game.record)
               << "}\n";
   } else {

@@ -38,7 +38,7 @@ std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe
 }  // namespace
 
 int run(const RunOptions& options) {
-  const schedule::Design design = schedule::read_design(options.design);
+  const schedule::Design design = schedule::read_design(options.design, host::check_realism);
   for (std::size_t i = 0; i < design.conditions.size(); ++i)
     host::check(schedule::game(design, 2 * i).config);
 
@@ -52,8 +52,9 @@ int run(const RunOptions& options) {
   settings.command_line = options.command_line;
   settings.terminal = ::isatty(STDERR_FILENO) == 1;
 
-  std::cerr << design.name << ": " << schedule::game_count(design) << " games, realism " << design.realism
-            << ", rule set " << design.rules << ", results in " << settings.out.string() << std::endl;
+  std::cerr << design.name << ": " << schedule::game_count(design) << " games, realism "
+            << record::text(design.realism) << ", rule set " << design.rules << ", results in "
+            << settings.out.string() << std::endl;
   const runner::RunResult result = runner::run(design, settings, std::cerr);
   if (result.ending == runner::Ending::Interrupted) {
     std::cerr << "interrupted, nothing is lost; continue with: " << shell_line(options.command_line)

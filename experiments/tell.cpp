@@ -27,7 +27,7 @@ std::string command_text(const std::string& command) {
 }  // namespace
 
 void tell_circumstances(const record::MatchConfig& config, std::ostream& out) {
-  out << "realism " << config.realism << ", rule set " << config.rules;
+  out << "realism " << record::text(config.realism) << ", rule set " << config.rules;
   if (config.half_length) out << fmt::format(" with halves of {:g} s", *config.half_length);
   out << ", seed " << config.seed << "\n";
   out << "yellow: " << team_text(config.teams.yellow) << "\n";

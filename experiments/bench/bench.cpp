@@ -39,7 +39,7 @@ record::MatchConfig standard_game() {
 Figures measure(const BenchOptions& options) {
   const host::BoundToProcessor bound(options.cpu);
   Figures figures;
-  figures.realism = options.game.realism;
+  figures.realism = record::text(options.game.realism);
   const double reference_before = reference_tick();
 
   host::Stopwatch stopwatch;

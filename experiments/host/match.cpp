@@ -16,6 +16,12 @@ using record::Termination;
 // (DESIGN).
 constexpr world::Duration longest_game = std::chrono::minutes{40};
 
+/// The robot the team names, else its lowest number.
+int keeper_of(const wire::proto::TeamHello& hello, const record::TeamConfig& team) {
+  if (hello.has_keeper()) return static_cast<int>(hello.keeper());
+  return *std::min_element(team.robots.begin(), team.robots.end());
+}
+
 }  // namespace
 
 world::RuleSet rules_of(const record::MatchConfig& config) {
@@ -30,12 +36,18 @@ world::RuleSet rules_of(const record::MatchConfig& config) {
   return rules;
 }
 
+engine::Realism realism_of(const record::RealismConfig& config) {
+  engine::Realism realism = engine::realism(config.preset);
+  for (const auto& [key, value] : config.changes) engine::set(realism, key, value);
+  return realism;
+}
+
 engine::Model model_of(const record::MatchConfig& config) {
   const world::RuleSet rules = rules_of(config);
   engine::Model model;
   model.geometry.field = rules.field;
   model.blue_on_positive_half = config.blue_on_positive_half;
-  model.realism = engine::realism(config.realism);
+  model.realism = realism_of(config.realism);
   const vision::Params& vision = model.realism.vision;
   model.geometry.cameras = world::camera_grid(rules.field, vision.cameras, vision.camera_height);
   model.geometry.ball_slide_deceleration = model.realism.physics.ball.slide_deceleration;
@@ -71,8 +83,13 @@ Match::Match(const record::MatchConfig& config, const Options& options)
 record::MatchRecord Match::run() {
   record::MatchRecord record;
   try {
-    start_teams();
-    if (!anyone_at_fault()) greet_teams();
+    if (config_.continuation) recorded_ = std::make_unique<RecordedTeams>(config_.continuation->recording);
+    if (recorded_ && !config_.continuation->tick) {
+      for (const world::Team team : world::both_teams) hellos_[team] = recorded_->hello(team);
+    } else {
+      start_teams();
+      if (!anyone_at_fault()) greet_teams();
+    }
     if (!anyone_at_fault()) {
       create_referee();
       play_ticks();
@@ -82,6 +99,9 @@ record::MatchRecord Match::run() {
   } catch (const Interrupted&) {
     record.termination = Termination::Interrupted;
     record.reason = "the game was interrupted";
+  } catch (const RecordingEnded&) {
+    record.termination = Termination::Interrupted;
+    record.reason = "the recording ends here";
   } catch (const Overlong&) {
     record.termination = Termination::Overlong;
     record.reason = "the game was not over after 40 simulated minutes";
@@ -111,22 +131,24 @@ void Match::greet_teams() {
       process.blame(Termination::Nonsense, "did not answer the hello with a hello");
       continue;
     }
-    const wire::proto::TeamHello& hello = message->hello();
-    if (hello.protocol_version() != wire::match_protocol_version) {
-      process.blame(Termination::Nonsense,
-                    "speaks protocol version " + std::to_string(hello.protocol_version()) +
-                        ", the host speaks " + std::to_string(wire::match_protocol_version));
-      continue;
-    }
-    const auto& robots = config_.teams[team].robots;
-    keeper_[team] = hello.has_keeper() ? static_cast<int>(hello.keeper())
-                                       : *std::min_element(robots.begin(), robots.end());
-    if (std::find(robots.begin(), robots.end(), keeper_[team]) == robots.end()) {
-      process.blame(Termination::Nonsense, "wants robot " + std::to_string(hello.keeper()) +
-                                               " as its keeper, which is not on the field");
-    }
-    versions_[team] = hello.name() + (hello.version().empty() ? "" : " " + hello.version());
+    welcome(team, message->hello());
   }
+}
+
+void Match::welcome(world::Team team, const wire::proto::TeamHello& hello) {
+  TeamProcess& process = *teams_[team];
+  if (hello.protocol_version() != wire::match_protocol_version) {
+    process.blame(Termination::Nonsense, "speaks protocol version " +
+                                             std::to_string(hello.protocol_version()) + ", the host speaks " +
+                                             std::to_string(wire::match_protocol_version));
+    return;
+  }
+  const auto& robots = config_.teams[team].robots;
+  if (std::find(robots.begin(), robots.end(), keeper_of(hello, config_.teams[team])) == robots.end()) {
+    process.blame(Termination::Nonsense, "wants robot " + std::to_string(hello.keeper()) +
+                                             " as its keeper, which is not on the field");
+  }
+  hellos_[team] = hello;
 }
 
 void Match::create_referee() {
@@ -135,8 +157,9 @@ void Match::create_referee() {
   setup.geometry = engine_.model().geometry;
   setup.blue_on_positive_half = config_.blue_on_positive_half;
   setup.first_kickoff = config_.first_kickoff;
-  setup.keeper = keeper_;
   for (const world::Team team : world::both_teams) {
+    const wire::proto::TeamHello& hello = recorded_ ? recorded_->hello(team) : hellos_[team];
+    setup.keeper[team] = keeper_of(hello, config_.teams[team]);
     setup.names[team] = config_.teams[team].name;
     setup.robots[team] = static_cast<int>(config_.teams[team].robots.size());
   }
@@ -149,6 +172,16 @@ void Match::create_referee() {
     first.set_status_message(referee::setup_text(setup));
     if (config_.log->has_parent_path()) std::filesystem::create_directories(config_.log->parent_path());
     log_ = std::make_unique<LeagueLog>(*config_.log, setup.geometry, first);
+  }
+  if (config_.recording) {
+    if (config_.recording->has_parent_path()) {
+      std::filesystem::create_directories(config_.recording->parent_path());
+    }
+    const world::PerTeam<wire::proto::TeamHello> recorded =
+        recorded_ ? world::PerTeam<wire::proto::TeamHello>{recorded_->hello(world::Team::Yellow),
+                                                           recorded_->hello(world::Team::Blue)}
+                  : hellos_;
+    recorder_ = std::make_unique<Recorder>(*config_.recording, config_, recorded);
   }
 }
 
@@ -163,6 +196,7 @@ void Match::play_ticks() {
     }
   }
   if (log_) log_->close();
+  if (recorder_) recorder_->close();
   if (options_.stopwatch != nullptr) {
     options_.stopwatch->loop_seconds = std::chrono::duration<double>(Deadline::Clock::now() - begin).count();
     options_.stopwatch->bytes_in = teams_.yellow->bytes_in() + teams_.blue->bytes_in();
@@ -193,8 +227,49 @@ bool Match::tick() {
   }
   if (output.finished) return false;
 
-  exchange();
+  if (live()) {
+    if (recorded_) {
+      recorded_.reset();
+      new_teams();
+    }
+    exchange();
+  } else if (!replay_replies()) {
+    throw RecordingEnded{};
+  }
+  if (recorder_) {
+    const bool whole_second = engine_.tick() % world::ticks_per_second == 0;
+    recorder_->end_tick(engine_.tick(), whole_second ? hash_.digits() : "");
+  }
   return !anyone_at_fault();
+}
+
+bool Match::live() const {
+  return !recorded_ || (config_.continuation->tick && engine_.tick() >= *config_.continuation->tick);
+}
+
+bool Match::replay_replies() {
+  const wire::proto::Tick* tick = recorded_->replies(engine_.tick());
+  if (tick == nullptr) return false;
+  if (tick->has_hash() && tick->hash() != hash_.digits()) {
+    throw std::runtime_error(
+        config_.continuation->recording.string() + ": the game goes differently at tick " +
+        std::to_string(engine_.tick()) +
+        ": it was recorded by another build of matchday, or on another kind of processor");
+  }
+  if (tick->has_new_yellow()) hellos_.yellow = tick->new_yellow();
+  if (tick->has_new_blue()) hellos_.blue = tick->new_blue();
+  if (tick->has_new_yellow() || tick->has_new_blue()) new_teams();
+  take_reply(world::Team::Yellow, tick->yellow());
+  take_reply(world::Team::Blue, tick->blue());
+  return true;
+}
+
+// Teams start anew in the middle of the game: who keeps the goal is what they say now.
+void Match::new_teams() {
+  for (const world::Team team : world::both_teams) {
+    referee_->set_keeper(team, keeper_of(hellos_[team], config_.teams[team]));
+  }
+  if (recorder_) recorder_->new_teams(hellos_);
 }
 
 void Match::exchange() {
@@ -235,8 +310,13 @@ void Match::take_reply(world::Team team) {
                                              std::to_string(engine_.tick()) + " was sent");
     return;
   }
+  take_reply(team, reply);
+}
+
+void Match::take_reply(world::Team team, const wire::proto::MatchReply& reply) {
   wire::decode(reply.control(), commands_[team], bad_commands_[team]);
   if (reply.has_request()) grant(team, reply.request());
+  if (recorder_) recorder_->reply(team).CopyFrom(reply);
 }
 
 void Match::grant(world::Team team, const wire::proto::Request& request) {
@@ -298,7 +378,10 @@ void Match::end(record::MatchRecord& record) {
   }
   record.ticks = engine_.tick();
   record.hash = hash_.digits();
-  record.versions = versions_;
+  for (const world::Team team : world::both_teams) {
+    const wire::proto::TeamHello& hello = hellos_[team];
+    record.versions[team] = hello.name() + (hello.version().empty() ? "" : " " + hello.version());
+  }
   const std::string farewell = record.reason.empty() ? "the game is over" : record.reason;
   for (const world::Team team : world::both_teams) teams_[team]->end(farewell, options_.stop_grace);
 }

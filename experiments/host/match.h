@@ -8,6 +8,7 @@
 #include "experiments/host/messages.h"
 #include "experiments/host/play.h"
 #include "experiments/host/private_directory.h"
+#include "experiments/host/recorded_teams.h"
 #include "experiments/host/robot_count.h"
 #include "experiments/host/tally.h"
 #include "experiments/host/team_process.h"
@@ -17,6 +18,10 @@ namespace host {
 /// What the simulator is given for a game of this configuration.
 /// @throws std::invalid_argument naming team, field and value
 engine::Model model_of(const record::MatchConfig& config);
+
+/// The preset with its changes.
+/// @throws std::invalid_argument naming preset, key or value
+engine::Realism realism_of(const record::RealismConfig& config);
 
 /// The rules of a game of this configuration.
 /// @throws std::invalid_argument naming the field and the value
@@ -36,14 +41,20 @@ class Match {
  private:
   struct Interrupted {};
   struct Overlong {};
+  struct RecordingEnded {};
 
   void start_teams();
   void greet_teams();
+  void welcome(world::Team team, const wire::proto::TeamHello& hello);
   void create_referee();
   void play_ticks();
   bool tick();  // false when the game is over
   void exchange();
   void take_reply(world::Team team);
+  void take_reply(world::Team team, const wire::proto::MatchReply& reply);
+  bool replay_replies();  // false when the recording is over
+  void new_teams();
+  bool live() const;  // teams answer the present tick
   void grant(world::Team team, const wire::proto::Request& request);
   void act_on_wishes(const referee::Output& output);
   void look_around();  // now and then, and while waiting
@@ -58,11 +69,12 @@ class Match {
   engine::Engine engine_;
   world::PerTeam<std::unique_ptr<TeamProcess>> teams_;
   TeamProcess::Idle idle_;
-  world::PerTeam<int> keeper_{};
-  world::PerTeam<std::string> versions_;
+  world::PerTeam<wire::proto::TeamHello> hellos_;
 
   std::unique_ptr<referee::Referee> referee_;
   std::unique_ptr<LeagueLog> log_;
+  std::unique_ptr<RecordedTeams> recorded_;  // the beginning of the game, when it is a continuation
+  std::unique_ptr<Recorder> recorder_;
   BallReset ball_reset_;
   RobotCount robot_count_;
   TickMessages messages_;

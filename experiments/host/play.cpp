@@ -20,6 +20,8 @@ void note(const std::string& who, const process::Usage& usage, record::MatchReco
 
 void check(const record::MatchConfig& config) { model_of(config); }
 
+void check_realism(const record::RealismConfig& config) { realism_of(config); }
+
 record::MatchRecord play(const record::MatchConfig& config, const Options& options) {
   check(config);
   const BoundToProcessor bound(options.cpu);

@@ -41,6 +41,9 @@ struct Options {
 ///         nothing has been started then
 record::MatchRecord play(const record::MatchConfig& config, const Options& options = {});
 
+/// @throws std::invalid_argument naming preset, key or value
+void check_realism(const record::RealismConfig& config);
+
 /// The same checks alone.
 /// @throws std::invalid_argument naming team, field and value
 void check(const record::MatchConfig& config);

@@ -127,18 +127,38 @@ std::string quoted(std::string_view text) { return dumped(Json(std::string(text)
 std::string number(double value) { return dumped(Json(value)); }
 std::string to_json(const TeamConfig& team) { return dumped(team_json(team)); }
 
+std::string to_json(const RealismConfig& realism) {
+  return dumped(Json{{"preset", realism.preset}, {"changes", realism.changes}});
+}
+
+std::string text(const RealismConfig& realism) {
+  std::string text = realism.preset;
+  for (const auto& [key, value] : realism.changes) {
+    text += (text == realism.preset ? " with " : ", ") + key + " " + number(value);
+  }
+  return text;
+}
+
 std::string to_json(const MatchConfig& config) {
   Json json{{"yellow", team_json(config.teams.yellow)},
             {"blue", team_json(config.teams.blue)},
             {"seed", config.seed},
             {"rules", config.rules},
-            {"realism", config.realism},
+            {"realism", config.realism.preset},
+            {"realism_changes", config.realism.changes},
             {"half_length", nullptr},
             {"blue_on_positive_half", config.blue_on_positive_half},
             {"first_kickoff", world::name(config.first_kickoff)},
+            {"continuation", nullptr},
+            {"recording", nullptr},
             {"log", nullptr},
             {"directory", config.directory.string()}};
   if (config.half_length) json["half_length"] = *config.half_length;
+  if (config.continuation) {
+    json["continuation"] = {{"recording", config.continuation->recording.string()}, {"tick", nullptr}};
+    if (config.continuation->tick) json["continuation"]["tick"] = *config.continuation->tick;
+  }
+  if (config.recording) json["recording"] = config.recording->string();
   if (config.log) json["log"] = config.log->string();
   return dumped(json);
 }
@@ -151,7 +171,8 @@ MatchConfig match_config_from_json(const std::string& text) {
   config.teams.blue = team_from(fields.at("blue"), fields.name_of("blue"));
   fields.read("seed", config.seed);
   fields.read("rules", config.rules);
-  fields.read("realism", config.realism);
+  fields.read("realism", config.realism.preset);
+  fields.read("realism_changes", config.realism.changes);
   if (fields.has("half_length")) {
     double half_length = 0;
     fields.read("half_length", half_length);
@@ -159,6 +180,13 @@ MatchConfig match_config_from_json(const std::string& text) {
   }
   fields.read("blue_on_positive_half", config.blue_on_positive_half);
   config.first_kickoff = colour_from(fields, "first_kickoff");
+  if (fields.has("continuation")) {
+    const Fields inner(fields.at("continuation"), fields.name_of("continuation"));
+    Continuation& continuation = config.continuation.emplace();
+    continuation.recording = inner.text("recording");
+    if (inner.has("tick")) inner.read("tick", continuation.tick.emplace());
+  }
+  if (fields.has("recording")) config.recording = fields.text("recording");
   if (fields.has("log")) config.log = fields.text("log");
   config.directory = fields.text("directory");
   return config;

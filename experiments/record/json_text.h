@@ -13,6 +13,9 @@ std::string quoted(std::string_view text);
 /// The shortest decimal that reads back as the same number; null for NaN and infinity.
 std::string number(double value);
 
+/// The realism as one line of JSON.
+std::string to_json(const RealismConfig& realism);
+
 /// The team as one line of JSON, keys in a fixed order.
 std::string to_json(const TeamConfig& team);
 

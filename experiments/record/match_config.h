@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,19 +20,40 @@ struct TeamConfig {
   bool operator==(const TeamConfig&) const = default;
 };
 
+/// How real the simulated world is: a preset, and what was changed of it.
+struct RealismConfig {
+  std::string preset = "measured";        ///< its name
+  std::map<std::string, double> changes;  ///< numbers that replace the preset's, by the name of their key
+  bool operator==(const RealismConfig&) const = default;
+};
+
+/// "measured", or "measured with vision.ball_sigma 0.001".
+std::string text(const RealismConfig& realism);
+
+/// A game that begins as a recorded one and goes on with live teams.
+struct Continuation {
+  std::filesystem::path recording;
+  std::optional<std::int64_t> tick;  ///< the first that live teams answer; nothing: the recorded replies to
+                                     ///< the end, no team is started
+  bool operator==(const Continuation&) const = default;
+};
+
 /// Everything that decides how a game goes, and where its files go.
 ///
-/// The game is a pure function of the builds and of all fields but `log` and `directory`.
+/// The game is a pure function of the builds and of all fields but `recording`, `log`
+/// and `directory`.
 struct MatchConfig {
   world::PerTeam<TeamConfig> teams;
   std::uint64_t seed = 1;
-  std::string rules = "ssl-2015";     ///< name of a rule set
-  std::string realism = "measured";   ///< name of a realism preset
+  std::string rules = "ssl-2015";  ///< name of a rule set
+  RealismConfig realism;
   std::optional<double> half_length;  ///< [s] instead of the rule set's
   bool blue_on_positive_half = true;  ///< blue defends the goal at +x in the first half
   world::Team first_kickoff = world::Team::Yellow;
-  std::optional<std::filesystem::path> log;  ///< the game as a league log, .log or .log.gz
-  std::filesystem::path directory;           ///< where the teams' output goes; empty: nowhere
+  std::optional<Continuation> continuation;
+  std::optional<std::filesystem::path> recording;  ///< where both teams' replies are kept; .gz is packed
+  std::optional<std::filesystem::path> log;        ///< the game as a league log, .log or .log.gz
+  std::filesystem::path directory;                 ///< where the teams' output goes; empty: nowhere
   bool operator==(const MatchConfig&) const = default;
 };
 

@@ -14,9 +14,6 @@
 namespace schedule {
 namespace {
 
-// Engine, "Realism"; this folder must not know the engine, and a test keeps both lists the same.
-constexpr std::array<std::string_view, 4> realism_presets = {"none", "friendly", "measured", "harsh"};
-
 constexpr std::int64_t most_pairs = 100'000;  // ours: two hundred thousand games are some weeks of a laptop
 // Two halves, each with the longest overrun, must stay below the host's 40 minutes (DESIGN, "Clock").
 constexpr double longest_half = 1'100;  // [s]
@@ -115,17 +112,44 @@ void override_team(TomlTable& condition, const std::string& key, record::TeamCon
   table->finish();
 }
 
+/// `realism = "harsh"`, or a table [realism] with `preset = "harsh"` and numbers by their keys; over
+/// `realism`.
+void read_realism(TomlTable& root, const CheckRealism& check, record::RealismConfig& realism) {
+  const auto checked = [&](TomlTable& table, const std::string& key) {
+    try {
+      if (check) check(realism);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(table.place(key) + ": " + error.what());
+    }
+  };
+  if (root.is_text("realism")) {
+    realism = {*root.text("realism"), {}};
+    checked(root, "realism");
+    return;
+  }
+  auto table = root.table("realism");
+  if (!table) return;
+  if (const auto preset = table->text("preset")) {
+    realism = {*preset, {}};
+    checked(*table, "preset");
+  }
+  table->numbers([&](const std::string& name, double value, TomlTable& place, const std::string& key) {
+    realism.changes[name] = value;
+    checked(place, key);
+  });
+}
+
 void read_conditions(TomlTable& root, const record::TeamConfig& a, const record::TeamConfig& b,
-                     std::size_t most_robots, Design& design) {
+                     std::size_t most_robots, const CheckRealism& check, Design& design) {
   auto tables = root.tables("conditions");
   if (!tables) {
-    design.conditions.push_back({"base", a, b});
+    design.conditions.push_back({"base", a, b, design.realism});
     return;
   }
   if (tables->empty())
     root.reject("conditions", "must have at least one, as [[conditions]]; or leave it out");
   for (TomlTable& table : *tables) {
-    Condition condition{"", a, b};
+    Condition condition{"", a, b, design.realism};
     const auto name = table.text("name");
     if (!name) table.missing("name", "give every condition a name of its own");
     if (!names_files(*name)) table.reject("name", name_hint);
@@ -135,6 +159,7 @@ void read_conditions(TomlTable& root, const record::TeamConfig& a, const record:
     condition.name = *name;
     override_team(table, "a", condition.a, most_robots);
     override_team(table, "b", condition.b, most_robots);
+    read_realism(table, check, condition.realism);
     table.finish();
     design.conditions.push_back(std::move(condition));
   }
@@ -173,9 +198,19 @@ void read_rules(TomlTable& root, Design& design) {
   table->finish();
 }
 
+std::string text_of(const std::filesystem::path& file, const std::string& wanted) {
+  std::ifstream stream(file);
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw std::invalid_argument(file.string() + ": cannot be read; give the path of " + wanted);
+  }
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
 }  // namespace
 
-Design parse_design(const std::string& text, const std::string& file) {
+Design parse_design(const std::string& text, const std::string& file, const CheckRealism& check) {
   TomlTable root = TomlTable::parse(text, file);
   Design design;
   design.text = text;
@@ -191,10 +226,7 @@ Design parse_design(const std::string& text, const std::string& file) {
   }
   read_size(root, design);
   read_rules(root, design);
-  if (const auto realism = root.text("realism")) {
-    check_known(root, "realism", *realism, realism_presets);
-    design.realism = *realism;
-  }
+  read_realism(root, check, design.realism);
   if (const auto goals = root.integer("forfeit_goals")) {
     if (*goals < 1 || *goals > most_forfeit_goals) root.reject("forfeit_goals", "must be from 1 to 100");
     design.forfeit_goals = static_cast<int>(*goals);
@@ -206,21 +238,22 @@ Design parse_design(const std::string& text, const std::string& file) {
   const record::TeamConfig a = base_team(*teams, "a", most_robots);
   const record::TeamConfig b = base_team(*teams, "b", most_robots);
   teams->finish();
-  read_conditions(root, a, b, most_robots, design);
+  read_conditions(root, a, b, most_robots, check, design);
   root.finish();
   return design;
 }
 
-Design read_design(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw std::invalid_argument(
-        file.string() +
-        ": cannot be read; give the path of a design file, as experiments/designs/first-night.toml");
-  }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parse_design(text.str(), file.string());
+Design read_design(const std::filesystem::path& file, const CheckRealism& check) {
+  return parse_design(text_of(file, "a design file, as experiments/designs/first-night.toml"), file.string(),
+                      check);
+}
+
+record::RealismConfig read_realism(const std::filesystem::path& file, const CheckRealism& check) {
+  TomlTable root = TomlTable::parse(text_of(file, "a TOML file with a table [realism]"), file.string());
+  if (!root.has("realism")) root.missing("realism", "give a table [realism] with a preset and numbers");
+  record::RealismConfig realism;
+  read_realism(root, check, realism);
+  return realism;
 }
 
 }  // namespace schedule

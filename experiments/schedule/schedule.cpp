@@ -26,7 +26,7 @@ Game game(const Design& design, std::size_t index) {
   game.config.seed =
       world::derived_seed(design.seed, "pair " + std::to_string(pair) + " leg " + std::to_string(leg));
   game.config.rules = design.rules;
-  game.config.realism = design.realism;
+  game.config.realism = condition.realism;
   game.config.half_length = design.half_length;
   game.config.blue_on_positive_half = (pair & 1) == 0;
   game.config.first_kickoff = (pair & 2) == 0 ? world::Team::Yellow : world::Team::Blue;

@@ -62,10 +62,13 @@ bool TomlTable::is_text(const std::string& key) const {
   return node != nullptr && node->is_string();
 }
 
+std::string TomlTable::place(const std::string& key) const {
+  return node_->place(node_->table->get(key)->source());
+}
+
 void TomlTable::reject(const std::string& key, const std::string& problem) const {
   const toml::node* node = node_->table->get(key);
-  throw std::invalid_argument(node_->place(node->source()) + ": " + full_name(key) + " = " + shown(*node) +
-                              ": " + problem);
+  throw std::invalid_argument(place(key) + ": " + full_name(key) + " = " + shown(*node) + ": " + problem);
 }
 
 void TomlTable::missing(const std::string& key, const std::string& hint) const {
@@ -147,6 +150,23 @@ std::optional<std::vector<TomlTable>> TomlTable::tables(const std::string& key) 
         std::make_shared<const Node>(Node{node_->root, item.as_table(), node_->file, full_name(key)})));
   }
   return values;
+}
+
+void TomlTable::numbers(
+    const std::function<void(const std::string&, double, TomlTable&, const std::string&)>& take) {
+  std::vector<std::string> keys;
+  for (const auto& [key, node] : *node_->table) {
+    const std::string name(key.str());
+    if (std::find(known_.begin(), known_.end(), name) == known_.end()) keys.push_back(name);
+  }
+  for (const std::string& key : keys) {
+    if (node_->table->get(key)->is_table()) {
+      table(key)->numbers([&](const std::string& name, double value, TomlTable& place,
+                              const std::string& leaf) { take(key + "." + name, value, place, leaf); });
+    } else {
+      take(key, *number(key), *this, key);
+    }
+  }
 }
 
 void TomlTable::finish() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,8 +28,17 @@ class TomlTable {
   std::optional<TomlTable> table(const std::string& key);
   std::optional<std::vector<TomlTable>> tables(const std::string& key);
 
+  /// Gives `take` every number whose key was not asked for yet, here and in tables inside, together with its
+  /// name
+  /// ("vision.ball_sigma") from here, and with table and key for complaints. Anything else there is rejected.
+  void numbers(const std::function<void(const std::string& name, double value, TomlTable& table,
+                                        const std::string& key)>& take);
+
   /// Whether the key holds a text (and not, say, a list).
   bool is_text(const std::string& key) const;
+
+  /// "file:line" of a key that is there.
+  std::string place(const std::string& key) const;
 
   /// @throws std::invalid_argument "file:line: key = value: `problem`"
   [[noreturn]] void reject(const std::string& key, const std::string& problem) const;

@@ -89,8 +89,7 @@ const Realism& realism(std::string_view name) {
     if (preset.name == name) return preset;
     known += (known.empty() ? "" : ", ") + preset.name;
   }
-  throw std::invalid_argument("realism: no preset is named \"" + std::string(name) + "\"; known are " +
-                              known);
+  throw std::invalid_argument("realism \"" + std::string(name) + "\" is not known; known are " + known);
 }
 
 std::span<const Realism> realism_presets() { return presets(); }

@@ -92,7 +92,7 @@ TEST_P(ReplayTest, GivesTheSameCallsAtTheSameTimes) {
   for (const world::Team team : world::both_teams) config.teams[team].command = {BIN_DIR "/team-chaser"};
   config.teams.blue.robots = {1, 2, 4};
   config.half_length = 20;
-  config.realism = GetParam();
+  config.realism.preset = GetParam();
   config.blue_on_positive_half = false;
   config.first_kickoff = world::Team::Blue;
   config.log = folder_ / "game.log.gz";

@@ -114,7 +114,9 @@ TEST(Play, RefusesAnImpossibleGameBeforeAnythingStarts) {
   using testing::HasSubstr;
   EXPECT_EQ(reason([](MatchConfig&) {}), "accepted");
   EXPECT_THAT(reason([](MatchConfig& c) { c.rules = "ssl-1999"; }), HasSubstr("ssl-1999"));
-  EXPECT_THAT(reason([](MatchConfig& c) { c.realism = "perfect"; }), HasSubstr("perfect"));
+  EXPECT_THAT(reason([](MatchConfig& c) { c.realism.preset = "perfect"; }), HasSubstr("perfect"));
+  EXPECT_THAT(reason([](MatchConfig& c) { c.realism.changes["vision.ball_sigma"] = -1; }),
+              HasSubstr("vision.ball_sigma = -1"));
   EXPECT_THAT(reason([](MatchConfig& c) { c.half_length = 0; }), HasSubstr("half_length 0"));
   EXPECT_THAT(reason([](MatchConfig& c) { c.teams.blue.robots = {}; }),
               HasSubstr("blue (Fake B): robots lists 0 robots, 1 to 6"));

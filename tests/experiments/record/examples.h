@@ -31,7 +31,9 @@ inline MatchConfig example_config() {
   config.teams.blue = {"theirs \"quoted\"", {"/bin/team b"}, {1}, 1};
   config.seed = 18'446'744'073'709'551'615ULL;
   config.rules = "paper";
-  config.realism = "harsh";
+  config.continuation = {"games/x.replies.gz", 3600};
+  config.recording = "again.replies";
+  config.realism = {"harsh", {{"vision.ball_sigma", 0.001}}};
   config.half_length = 12.5;
   config.blue_on_positive_half = false;
   config.first_kickoff = world::Team::Blue;

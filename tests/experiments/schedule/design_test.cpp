@@ -6,6 +6,9 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "experiments/schedule/schedule.h"
+#include "sim/engine/realism.h"
+
 namespace schedule {
 namespace {
 
@@ -20,10 +23,15 @@ command = ["team-reference", "--press"]
 command = "team-chaser --slow 'very much'"
 )";
 
+void check_realism(const record::RealismConfig& config) {
+  engine::Realism realism = engine::realism(config.preset);
+  for (const auto& [key, value] : config.changes) engine::set(realism, key, value);
+}
+
 /// What the parser says about a text, or "accepted".
 std::string complaint(const std::string& text) {
   try {
-    parse_design(text, "night.toml");
+    parse_design(text, "night.toml", check_realism);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -59,7 +67,7 @@ b = { command = ["python3", "team.py"], robots = [1], arguments = ["-v"] }
   EXPECT_EQ(design.description, "two of everything");
   EXPECT_EQ(design.seed, 42U);
   EXPECT_EQ(design.pairs, 3);
-  EXPECT_EQ(design.realism, "friendly");
+  EXPECT_EQ(design.realism.preset, "friendly");
   EXPECT_EQ(design.forfeit_goals, 5);
   EXPECT_EQ(design.rules, "paper");
   EXPECT_EQ(design.half_length, 30);
@@ -82,7 +90,7 @@ TEST(Design, HasSixRobotsFullSpeedAndOneConditionIfNothingElseIsSaid) {
   EXPECT_EQ(design.conditions[0].a.speed_factor, 1);
   EXPECT_THAT(design.conditions[0].b.command, ElementsAre("team-chaser", "--slow", "very much"));
   EXPECT_EQ(design.rules, "ssl-2015");
-  EXPECT_EQ(design.realism, "measured");
+  EXPECT_EQ(design.realism.preset, "measured");
   EXPECT_FALSE(design.half_length);
 }
 
@@ -116,7 +124,18 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{head + "seed = -1" + teams, "night.toml:3: seed = -1: must not be negative"},
         Mistake{head + "sed = 1" + teams, "night.toml:3: unknown key sed = 1; known here are: name, "},
         Mistake{head + "realism = \"real\"" + teams,
-                "night.toml:3: realism = 'real': there is no such one; known are: none, friendly"},
+                "night.toml:3: realism \"real\" is not known; known are none, friendly"},
+        Mistake{head + "[realism]\npreset = 3" + teams, "night.toml:4: realism.preset = 3: must be a text"},
+        Mistake{head + "[realism]\nvision.ball_sigma = \"x\"" + teams,
+                "night.toml:4: realism.vision.ball_sigma = 'x': must be a number"},
+        Mistake{head + "[realism]\n[realism.vision]\nball_sigma = 5" + teams,
+                "night.toml:5: realism vision.ball_sigma = 5: must be from 0 to 0.1 m"},
+        Mistake{head + "[realism]\nvision.ball_sigma = nan" + teams,
+                "night.toml:4: realism vision.ball_sigma = nan: must be from"},
+        Mistake{head + "[realism]\nvision.ball_sgma = 0" + teams,
+                "night.toml:4: realism has no key \"vision.ball_sgma\"; did you mean vision.ball_sigma?"},
+        Mistake{head + "[realism]\nvision.delay = 0.5" + teams,
+                "night.toml:4: realism vision.delay = 0.5: must be a whole number of ticks"},
         Mistake{head + "forfeit_goals = 0" + teams, "night.toml:3: forfeit_goals = 0: must be from 1"},
         Mistake{head + "rules = \"paper\"" + teams, "night.toml:3: rules = 'paper': must be a table"},
         Mistake{head + "[rules]\nset = \"fifa\"" + teams,
@@ -150,6 +169,24 @@ INSTANTIATE_TEST_SUITE_P(
             head + teams + "[[conditions]]\nname = \"x\"\nb.speed_facter = 0.5\n",
             "night.toml:11: unknown key conditions.b.speed_facter = 0.5; known here are: command, name, "}));
 
+TEST(Design, ConditionsChangeTheRealismOfTheDesign) {
+  const Design design =
+      parse_design(head + "[realism]\npreset = \"harsh\"\nvision.ball_sigma = 0.002\n" + teams +
+                       "[[conditions]]\nname = \"as-is\"\n"
+                       "[[conditions]]\nname = \"lossy\"\nrealism.radio.loss = 0.1\n"
+                       "[[conditions]]\nname = \"clean\"\nrealism = \"none\"\n",
+                   "n", check_realism);
+  using Changes = std::map<std::string, double>;
+  EXPECT_EQ(design.realism.preset, "harsh");
+  EXPECT_EQ(design.realism.changes, (Changes{{"vision.ball_sigma", 0.002}}));
+  EXPECT_EQ(design.conditions[0].realism, design.realism);
+  EXPECT_EQ(design.conditions[1].realism.preset, "harsh");
+  EXPECT_EQ(design.conditions[1].realism.changes,
+            (Changes{{"radio.loss", 0.1}, {"vision.ball_sigma", 0.002}}));
+  EXPECT_EQ(design.conditions[2].realism, (record::RealismConfig{"none", {}}));
+  EXPECT_EQ(game(design, 2).config.realism, design.conditions[1].realism);
+}
+
 TEST(Design, ThatIsNoFileIsNamed) {
   try {
     read_design("/nowhere/night.toml");
@@ -168,7 +205,8 @@ TEST(CanonicalDesign, DoesNotDependOnHowTheFileIsWritten) {
 
 TEST(CanonicalDesign, ChangesWithWhatDecidesTheGames) {
   const std::string base = canonical(parse_design("name = \"n\"\npairs = 2" + teams, "n"));
-  for (const char* line : {"seed = 2", "realism = \"none\"", "forfeit_goals = 4", "rules.half_length = 30"}) {
+  for (const char* line : {"seed = 2", "realism = \"none\"", "forfeit_goals = 4", "rules.half_length = 30",
+                           "realism.radio.loss = 0.1"}) {
     EXPECT_NE(canonical(parse_design("name = \"n\"\npairs = 2\n" + std::string(line) + teams, "n")), base)
         << line;
   }

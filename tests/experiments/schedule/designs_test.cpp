@@ -24,7 +24,7 @@ TEST(Designs, MayNameEveryRealismPresetOfTheEngine) {
   for (const engine::Realism& realism : engine::realism_presets()) {
     const std::string text = "name = \"n\"\npairs = 1\nrealism = \"" + realism.name +
                              "\"\n[teams]\na.command = \"x\"\nb.command = \"x\"\n";
-    EXPECT_EQ(parse_design(text, "n.toml").realism, realism.name);
+    EXPECT_EQ(parse_design(text, "n.toml").realism.preset, realism.name);
   }
 }
 

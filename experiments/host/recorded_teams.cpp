@@ -1,0 +1,60 @@
+#include "experiments/host/recorded_teams.h"
+
+#include <stdexcept>
+
+namespace host {
+
+RecordedTeams::RecordedTeams(const std::filesystem::path& path) : name_(path.string()), reader_(path) {}
+
+const wire::proto::TeamHello& RecordedTeams::hello(world::Team team) const {
+  return team == world::Team::Yellow ? reader_.start().yellow() : reader_.start().blue();
+}
+
+const wire::proto::Tick* RecordedTeams::replies(std::int64_t tick) {
+  const wire::proto::Tick* replies = reader_.next();
+  if (replies != nullptr && replies->tick() != tick) {
+    throw std::runtime_error(name_ + ": tick " + std::to_string(replies->tick()) + " where tick " +
+                             std::to_string(tick) + " should be: the file is damaged");
+  }
+  return replies;
+}
+
+record::MatchConfig recorded_config(const std::filesystem::path& path) {
+  const wire::RecordingReader reader(path);
+  try {
+    return record::match_config_from_json(reader.start().config());
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(path.string() + ": " + error.what());
+  }
+}
+
+Recorder::Recorder(const std::filesystem::path& path, const record::MatchConfig& config,
+                   const world::PerTeam<wire::proto::TeamHello>& hellos)
+    : writer_(path) {
+  wire::proto::Recorded first;
+  wire::proto::Start& start = *first.mutable_start();
+  start.set_version(wire::recording_version);
+  start.set_config(record::to_json(config));
+  *start.mutable_yellow() = hellos.yellow;
+  *start.mutable_blue() = hellos.blue;
+  writer_.write(first);
+}
+
+wire::proto::MatchReply& Recorder::reply(world::Team team) {
+  wire::proto::Tick& tick = *record_.mutable_tick();
+  return team == world::Team::Yellow ? *tick.mutable_yellow() : *tick.mutable_blue();
+}
+
+void Recorder::new_teams(const world::PerTeam<wire::proto::TeamHello>& hellos) {
+  *record_.mutable_tick()->mutable_new_yellow() = hellos.yellow;
+  *record_.mutable_tick()->mutable_new_blue() = hellos.blue;
+}
+
+void Recorder::end_tick(std::int64_t tick, const std::string& hash) {
+  record_.mutable_tick()->set_tick(tick);
+  if (!hash.empty()) record_.mutable_tick()->set_hash(hash);
+  writer_.write(record_);
+  record_.Clear();
+}
+
+}  // namespace host

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+
+#include "experiments/record/match_config.h"
+#include "sim/wire/match.h"
+#include "sim/wire/recording.h"
+
+namespace host {
+
+/// The teams of a recorded game, giving the replies they gave.
+class RecordedTeams {
+ public:
+  /// @throws std::runtime_error naming the file when it is no recording
+  explicit RecordedTeams(const std::filesystem::path& path);
+
+  const wire::proto::TeamHello& hello(world::Team team) const;
+
+  /// The replies to that tick; null when the recording ends before it.
+  /// @throws std::runtime_error naming the file when the recording has another tick at this place
+  const wire::proto::Tick* replies(std::int64_t tick);
+
+ private:
+  std::string name_;
+  wire::RecordingReader reader_;
+};
+
+/// The configuration of a recorded game.
+/// @throws std::runtime_error naming the file
+record::MatchConfig recorded_config(const std::filesystem::path& path);
+
+/// Writes a recording while a game is played.
+class Recorder {
+ public:
+  Recorder(const std::filesystem::path& path, const record::MatchConfig& config,
+           const world::PerTeam<wire::proto::TeamHello>& hellos);
+
+  /// The reply to the present tick; call for both teams, then `end_tick`.
+  wire::proto::MatchReply& reply(world::Team team);
+  /// From the present tick on other teams play.
+  void new_teams(const world::PerTeam<wire::proto::TeamHello>& hellos);
+  /// @param hash  of the game so far, or empty
+  void end_tick(std::int64_t tick, const std::string& hash);
+  void close() { writer_.close(); }
+
+ private:
+  wire::RecordingWriter writer_;
+  wire::proto::Recorded record_;
+};
+
+}  // namespace host
