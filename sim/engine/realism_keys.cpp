@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/engine/realism.h"
+#include "sim/world/field.h"
 
 namespace engine {
 namespace {
@@ -165,6 +166,8 @@ void set(Realism& realism, std::string_view name, double value) {
     throw std::invalid_argument(fmt::format("realism {} = {}: must be a whole number{}", name, value,
                                             unit.empty() ? "" : " of" + unit));
   }
+  if (key.name == "vision.cameras")
+    world::camera_grid({}, static_cast<int>(value), 1);  // says which are possible
   key.put(realism, value);
 }
 

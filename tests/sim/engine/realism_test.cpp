@@ -25,7 +25,7 @@ std::string complaint(std::string_view key, double value) {
 TEST(RealismKeys, EachStandsForANumberOfItsOwn) {
   for (const RealismKey& key : realism_keys()) {
     Realism changed;
-    const double value = key.get(changed) == key.highest ? key.lowest : key.highest;
+    const double value = key.get(changed) == key.highest ? key.lowest : key.highest;  // 8 or 1 cameras
     set(changed, key.name, value);
     EXPECT_EQ(key.get(changed), value) << key.name;
     const Realism untouched;
@@ -60,6 +60,7 @@ TEST(RealismKeys, BadOnesAreNamedWithRangeOrHint) {
               HasSubstr("vision.ball_sigma = 0.2: must be from 0 to 0.1 m"));
   EXPECT_THAT(complaint("vision.ball_sigma", std::nan("")), HasSubstr("must be from"));
   EXPECT_THAT(complaint("vision.delay", 0.5), HasSubstr("whole number of ticks"));
+  EXPECT_THAT(complaint("vision.cameras", 3), HasSubstr("1, 2, 4, 6 or 8"));
   EXPECT_THAT(complaint("vision.balls_sigma", 0), HasSubstr("did you mean vision.ball_sigma?"));
   EXPECT_THAT(complaint("", 0), HasSubstr("no key \"\""));
 }
