@@ -62,6 +62,22 @@ Material fixture_material(const ContactParams& c, Fixture::Kind kind) {
   return {c.ball_goal_side_restitution / ball.restitution, c.ball_goal_friction / ball.friction};
 }
 
+BodyPose exact(const btTransform& transform) {
+  BodyPose pose;
+  for (int row = 0; row < 3; ++row) {
+    pose.origin[static_cast<std::size_t>(row)] = transform.getOrigin()[row];
+    for (int column = 0; column < 3; ++column) {
+      pose.basis[static_cast<std::size_t>(3 * row + column)] = transform.getBasis()[row][column];
+    }
+  }
+  return pose;
+}
+btTransform exact(const BodyPose& pose) {
+  const auto& b = pose.basis;
+  return btTransform(btMatrix3x3(b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7], b[8]),
+                     btVector3(pose.origin[0], pose.origin[1], pose.origin[2]));
+}
+
 btTransform pose(const Vector2d& position, double height, double orientation) {
   btTransform transform;
   transform.setOrigin(bt({position.x(), position.y(), height}));
@@ -160,8 +176,14 @@ void BulletScene::teleport(btRigidBody& body, const btTransform& pose) {
 }
 
 void BulletScene::add_robot(std::size_t robot, const Vector2d& position, double orientation) {
+  add_robot(robot, pose(position, robot_height_[robot], orientation));
+}
+
+void BulletScene::add_robot(std::size_t robot, const BodyPose& pose) { add_robot(robot, exact(pose)); }
+
+void BulletScene::add_robot(std::size_t robot, const btTransform& pose) {
   btRigidBody& body = *robots_[robot];
-  teleport(body, pose(position, robot_height_[robot], orientation));
+  teleport(body, pose);
   world_.addRigidBody(&body, robot_group, fixture_group | ball_group | robot_group);
 }
 
@@ -187,6 +209,12 @@ double BulletScene::orientation(std::size_t robot) const {
   const btMatrix3x3& basis = robots_[robot]->getWorldTransform().getBasis();
   return std::atan2(static_cast<double>(basis[1].x()), static_cast<double>(basis[0].x()));
 }
+
+BodyPose BulletScene::robot_pose(std::size_t robot) const {
+  return exact(robots_[robot]->getWorldTransform());
+}
+BodyPose BulletScene::ball_pose() const { return exact(ball_->getWorldTransform()); }
+void BulletScene::set_ball_pose(const BodyPose& pose) { teleport(*ball_, exact(pose)); }
 
 void BulletScene::set_robot_velocity(std::size_t robot, const Vector2d& velocity, double angular_velocity) {
   btRigidBody& body = *robots_[robot];

@@ -11,6 +11,7 @@
 
 #include "sim/physics/fixtures.h"
 #include "sim/physics/params.h"
+#include "sim/physics/state.h"
 #include "sim/truth/truth.h"
 #include "sim/world/robot_specs.h"
 
@@ -41,12 +42,17 @@ class BulletScene {
   BulletScene& operator=(const BulletScene&) = delete;
 
   void add_robot(std::size_t robot, const world::Vector2d& position, double orientation);
+  void add_robot(std::size_t robot, const BodyPose& pose);
   void move_robot(std::size_t robot, const world::Vector2d& position, double orientation);
   void remove_robot(std::size_t robot);
 
   RobotBody robot(std::size_t robot) const;
   double orientation(std::size_t robot) const;
   void set_robot_velocity(std::size_t robot, const world::Vector2d& velocity, double angular_velocity);
+
+  BodyPose robot_pose(std::size_t robot) const;
+  BodyPose ball_pose() const;
+  void set_ball_pose(const BodyPose& pose);
 
   void add_robot_velocity(std::size_t robot, const world::Vector2d& velocity, double angular_velocity);
 
@@ -60,6 +66,7 @@ class BulletScene {
   void step(double duration, std::vector<BallContact>& ball_contacts);
 
  private:
+  void add_robot(std::size_t robot, const btTransform& pose);
   btRigidBody& add_body(double mass, const btVector3& inertia, btCollisionShape& shape, double restitution,
                         double friction);
   void teleport(btRigidBody& body, const btTransform& pose);

@@ -21,4 +21,13 @@ world::Vector2d dribbler_push(const BallLocal& ball, const world::Vector2d& rela
                               const world::RobotSpecs& specs, double grip, double ball_radius,
                               double duration, const DribblerParams& params);
 
+/// Spin [rad/s] of a held ball after `duration` seconds: the bar turns it towards backspin at the bar's own
+/// surface speed (its fastest at most), at most by spin_up, and takes away any other spin.
+///
+/// Backspin is about the robot's left axis, negative: the ball's top moves towards the robot. Let go, the
+/// ball slides back under the carpet's friction until it rolls: at rest, at 2/7 of the surface speed.
+world::Vector3d dribbled_spin(const world::Vector3d& spin, const world::Vector2d& forward,
+                              double dribbler_speed, double ball_radius, double duration,
+                              const DribblerParams& params);
+
 }  // namespace physics

@@ -13,9 +13,15 @@ struct Motion {
 
 /// The motion after `duration` seconds of a drive that tries to reach `target` under the limits of `specs`.
 ///
-/// The target's speed is clamped to max_speed. The velocity changes in a straight line towards it, at
-/// max_acceleration when that speeds the robot up, at max_brake when it goes straight against the motion, and
-/// between on an ellipse of these two half axes, so there is no jump when turning.
-Motion driven(const Motion& now, const Motion& target, const world::RobotSpecs& specs, double duration);
+/// Limits forward and sideways are the half axes of ellipses in the robot's frame. The target is shortened to
+/// the ellipse of speeds. The velocity changes in a straight line towards it, under the ellipse of
+/// accelerations when that speeds the robot up, of brakes when it goes straight against the motion, and
+/// between (on an ellipse of these two) when it goes partly across, so there is no jump when turning. A
+/// rotation is braked while it shrinks, accelerated while it grows. A reversal within one step counts as
+/// braking for all of it.
+///
+/// @param forward  unit vector of the heading, field frame
+Motion driven(const Motion& now, const Motion& target, const world::Vector2d& forward,
+              const world::RobotSpecs& specs, double duration);
 
 }  // namespace physics

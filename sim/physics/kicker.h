@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "sim/physics/actuators.h"
 #include "sim/physics/params.h"
 #include "sim/world/geometry.h"
 #include "sim/world/robot_command.h"
@@ -26,16 +27,17 @@ bool in_front(const BallLocal& ball, const world::RobotSpecs& specs, double ball
 
 /// Velocity of the ball after a kick [m/s], field frame; nothing when the command asks for none.
 ///
-/// The absolute speed in space is what was commanded, capped by the specs (flat or chip). The kicker pushes
-/// along the heading, raised by kick_angle. The robot's forward speed is not added: the plunger is faster
+/// The absolute speed in space is what was commanded, capped by the specs (flat or chip), with the error's
+/// factor and under the cap again. The kicker pushes along the heading, raised by kick_angle, both with their
+/// errors; a chip stays a chip. The robot's forward speed is not added: the plunger is faster
 /// than any robot and its speed is what was asked for. What the ball has of the robot's sideways motion it
 /// keeps, which turns the direction but not the speed.
 ///
-/// @param heading        [rad] of the robot
-/// @param carried        [m/s] velocity of the robot's front centre, field frame
+/// @param forward  unit vector of the heading, field frame
+/// @param carried  [m/s] velocity of the robot's front centre, field frame
 std::optional<world::Vector3d> kicked_velocity(const world::RobotCommand& command,
                                                const world::RobotSpecs& specs, const KickerParams& params,
-                                               const world::Vector2d& forward,
-                                               const world::Vector2d& carried);
+                                               const world::Vector2d& forward, const world::Vector2d& carried,
+                                               const KickError& error = {});
 
 }  // namespace physics

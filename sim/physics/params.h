@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/world/time.h"
+
 namespace physics {
 
 /// Standard gravity [m/s^2].
@@ -54,17 +56,23 @@ struct DribblerParams {
   double drag = 6.0;           ///< [m/s^2] largest acceleration sideways
   double full_speed = 50.0;    ///< [rad/s] of the bar from which on the grip is full; below in proportion
   double highest_ball = 0.03;  ///< [m] ball centre; a bouncing ball is not held
+  double same_capture = 0.1;   ///< [s] a ball back within this time was not captured anew; ours
+  double bar_radius = 0.007;   ///< [m] ER-Force
+  double fastest_bar = 150;    ///< [rad/s] ER-Force: 49 rad/s of backspin
+  double spin_up = 1000;       ///< [rad/s^2] of the ball; ours: 5/2 of 8.6 m/s^2 at its surface, which is
+                               ///< `drag` and what the carpet takes (3) less a little: full in 0.05 s
 };
 
-/// A ball that came to lie on a robot or a goal rolls off it.
+/// A ball that came to lie on a robot or a goal.
 struct PerchParams {
-  double push = 1.0;  ///< [m/s^2] outward; ours: a cover sloping by 6 degrees
+  double roll_deceleration = 0.3;  ///< [m/s^2] on a robot's flat cover; ours: as on the carpet
+  double push = 1.0;  ///< [m/s^2] off a goal's roof; ours: a roof sloping by 6 degrees, so none stays there
 };
 
 /// How far actuators miss what was asked of them. All zero: perfect.
 ///
 /// Drawn from streams of their own for each robot, named "actuators <team> <number>": what one robot does
-/// never shifts another's luck. The presets are in sim/engine/realism.cpp.
+/// never shifts another's luck (see actuators.h). The presets are in sim/engine/realism.cpp.
 struct ActuatorErrors {
   double kick_direction_sigma = 0;  ///< [rad] of each kick and chip
   double kick_speed_sigma = 0;      ///< share of the commanded speed, each kick and chip
@@ -79,9 +87,11 @@ struct ActuatorErrors {
 /// Bullet's settings (reference "physics", 1c, 1d).
 struct SolverParams {
   int iterations = 10;
-  double split_impulse_threshold = -0.0005;  ///< [m] near zero, or deep overlaps turn into speed
-  double hull_margin = 0.001;                ///< [m] convex margin, inside the nominal surface
-  int hull_segments = 14;                    ///< straight pieces of the round part of a robot
+  double split_impulse_threshold = -0.0005;       ///< [m] near zero, or deep overlaps turn into speed
+  double hull_margin = 0.001;                     ///< [m] convex margin, inside the nominal surface
+  int hull_segments = 14;                         ///< straight pieces of the round part of a robot
+  double substep_length = world::substep_length;  ///< [s] of World::substep; the engine needs the default,
+                                                  ///< others are for the study in the README
 };
 
 struct Params {

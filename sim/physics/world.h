@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/physics/params.h"
+#include "sim/physics/state.h"
 #include "sim/truth/truth.h"
 #include "sim/world/field.h"
 #include "sim/world/robot_command.h"
@@ -13,7 +14,7 @@
 
 namespace physics {
 
-/// Robots, ball, walls and goals as bodies; advances in substeps of 1/240 s.
+/// Robots, ball, walls and goals as bodies; advances in substeps (of 1/240 s by default).
 ///
 /// Rigid-body collisions are Bullet's (single precision, real scale); drive, kicker, dribbler and the ball's
 /// contact with the carpet are closed forms applied round each of its steps. Positions come from velocities
@@ -36,7 +37,7 @@ class World {
   /// What the robot does from the next substep on. @pre all numbers finite
   void set_command(std::size_t robot, const world::RobotCommand& command);
 
-  /// Advances by 1/240 s; appends what happened, with `end` as its time.
+  /// Advances by one substep (1/240 s by default); appends what happened, with `end` as its time.
   void substep(world::Time end, std::vector<truth::Contact>& contacts, std::vector<truth::Kick>& kicks);
 
   const truth::Ball& ball() const;
@@ -53,6 +54,17 @@ class World {
   /// Gives a robot on the field a motion, for tests and restored states.
   void set_motion(std::size_t robot, const world::Vector2d& velocity, double angular_velocity);
   void remove_robot(std::size_t robot);
+
+  /// All that changes, as plain values.
+  State state() const;
+  /// Goes on from a state of a World with the same constructor arguments, in whatever state this one is.
+  ///
+  /// Contact caches and everything else that has a history start anew, so all Worlds that restore a state
+  /// continue alike to the bit. With the World the state was taken from they agree to the bit as long as
+  /// nothing touches; a touch at that moment may differ by the contact's warm start.
+  ///
+  /// @pre as many robots as this World has
+  void restore(const State& state);
 
   /// Distance from the hulls of the robots on the field to a point, the smallest [m]; infinite without
   /// robots.

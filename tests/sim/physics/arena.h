@@ -13,8 +13,11 @@ struct Arena {
     double orientation = 0;
   };
 
-  explicit Arena(const std::vector<At>& places = {}, const world::RobotSpecs& like = {})
-      : specs(numbered(places.size(), like)), world(field, specs) {
+  explicit Arena(const std::vector<At>& places = {}, const world::RobotSpecs& like = {},
+                 const physics::Params& params = {}, std::uint64_t seed = 0)
+      : length(params.solver.substep_length),
+        specs(numbered(places.size(), like)),
+        world(field, specs, params, seed) {
     for (std::size_t i = 0; i < places.size(); ++i) {
       world.put_robot(i, places[i].position, places[i].orientation);
     }
@@ -31,14 +34,14 @@ struct Arena {
 
   void step() {
     ++substeps;
-    world.substep(world::tick_time(0, substeps), contacts, kicks);
+    world.substep(world::Time{world::from_seconds(time())}, contacts, kicks);
   }
   /// Runs for a whole number of substeps nearest to `seconds`.
   void run(double seconds) {
-    const long count = std::lround(seconds / world::substep_length);
+    const long count = std::lround(seconds / length);
     for (long i = 0; i < count; ++i) step();
   }
-  double time() const { return substeps * world::substep_length; }
+  double time() const { return substeps * length; }
 
   truth::Robot robot(std::size_t index) {
     world.read_robots(robots);
@@ -46,6 +49,12 @@ struct Arena {
   }
   const truth::Ball& ball() const { return world.ball(); }
 
+  void place(const world::Vector3d& position, const world::Vector3d& velocity = world::Vector3d::Zero()) {
+    truth::Ball ball;
+    ball.position = position;
+    ball.velocity = velocity;
+    world.place_ball(ball);
+  }
   void shoot(const world::Vector2d& from, const world::Vector2d& velocity) {
     truth::Ball ball;
     ball.position = {from.x(), from.y(), field.ball_radius};
@@ -61,6 +70,7 @@ struct Arena {
     world.place_ball(ball);
   }
 
+  double length;  // of a substep [s]
   world::Field field;
   std::vector<world::RobotSpecs> specs;
   physics::World world;

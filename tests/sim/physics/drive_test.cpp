@@ -50,12 +50,138 @@ TEST(Drive, BrakesOnAnEllipseOfBrakeAndAcceleration) {
   const world::RobotSpecs specs;
   const double h = 1.0 / 240;
   const auto change = [&](const Vector2d& from, const Vector2d& to) {
-    return (physics::driven({from, 0}, {to, 0}, specs, h).velocity - from).norm() / h;
+    return (physics::driven({from, 0}, {to, 0}, {1, 0}, specs, h).velocity - from).norm() / h;
   };
   EXPECT_NEAR(change({2, 0}, {3, 0}), 3, 1e-9);
   EXPECT_NEAR(change({2, 0}, {0, 0}), 6, 1e-9);
   EXPECT_NEAR(change({2, 0}, {2, 2}), 3, 1e-9);
   EXPECT_NEAR(change({2, 0}, {1, 1}), 1 / std::sqrt(0.5 / 36 + 0.5 / 9), 1e-9);
+}
+
+// All limits different, so that a mix-up shows.
+world::RobotSpecs uneven() {
+  world::RobotSpecs specs;
+  specs.max_speed = 3;
+  specs.max_speed_sideways = 2;
+  specs.max_acceleration = 4;
+  specs.max_acceleration_sideways = 2.5;
+  specs.max_brake = 6;
+  specs.max_brake_sideways = 5;
+  specs.max_angular_speed = 10;
+  specs.max_angular_acceleration = 40;
+  specs.max_angular_brake = 80;
+  return specs;
+}
+
+// Up to full speed, cruise, brake to rest: the times are whole numbers of substeps for these numbers, so the
+// place agrees to the rounding of floats near 2 m (0.24 um in each of some 400 substeps, mostly cancelling).
+void expect_trapezoid(double heading, const Vector2d& along, double speed, double acceleration,
+                      double brake) {
+  const Vector2d direction = world::rotated(along, heading);
+  Arena arena({{direction * -2, heading}}, uneven());
+  arena.world.place_ball(Vector2d(4, -3));  // out of the way
+  const double up = speed / acceleration, cruise = 0.5, down = speed / brake;
+  const Vector2d ahead = along * 10;  // asks for more than it can: the limit of speed holds
+  arena.world.set_command(0, go(ahead.x(), ahead.y()));
+  arena.run(up);
+  EXPECT_NEAR(arena.robot(0).velocity.dot(direction), speed, 1e-4);
+  arena.run(cruise);
+  arena.world.set_command(0, go(0));
+  arena.run(down);
+  EXPECT_NEAR(arena.robot(0).velocity.norm(), 0, 1e-4);
+  const double distance = speed * (up / 2 + cruise + down / 2);
+  EXPECT_NEAR((arena.robot(0).position - direction * (distance - 2)).norm(), 0, 2e-5);
+}
+
+TEST(Drive, ForwardAndSidewaysLimitsMakeTheirOwnTrapezoids) {
+  for (const double heading : {0.0, 0.7, -2.0}) {
+    expect_trapezoid(heading, {1, 0}, 3, 4, 6);
+    expect_trapezoid(heading, {-1, 0}, 3, 4, 6);
+    expect_trapezoid(heading, {0, 1}, 2, 2.5, 5);
+    expect_trapezoid(heading, {0, -1}, 2, 2.5, 5);
+  }
+}
+
+TEST(Drive, TurningMakesATrapezoidOfItsOwn) {
+  // 10 rad/s after 0.25 s, 0.4 s of it, braked in 0.125 s.
+  Arena arena({{{0, 0}, -3}}, uneven());
+  arena.world.set_command(0, go(0, 0, 100));
+  arena.run(0.25);
+  EXPECT_NEAR(arena.robot(0).angular_velocity, 10, 1e-4);
+  arena.run(0.4);
+  arena.world.set_command(0, go(0));
+  arena.run(0.125);
+  EXPECT_NEAR(arena.robot(0).angular_velocity, 0, 1e-4);
+  const double angle = -3 + 10 * (0.25 / 2 + 0.4 + 0.125 / 2);
+  EXPECT_NEAR(world::wrap_angle(arena.robot(0).orientation - angle), 0, 1e-4);
+}
+
+TEST(Drive, ATurnThatIsReversedIsBrakedFirst) {
+  world::RobotSpecs specs = uneven();
+  const double h = world::substep_length;
+  const auto turn = [&](double now, double wanted) {
+    return physics::driven({{0, 0}, now}, {{0, 0}, wanted}, {1, 0}, specs, h).angular_velocity;
+  };
+  EXPECT_NEAR(turn(5, -5), 5 - 80 * h, 1e-12);
+  EXPECT_NEAR(turn(-5, 5), -5 + 80 * h, 1e-12);
+  EXPECT_NEAR(turn(5, 9), 5 + 40 * h, 1e-12);
+  EXPECT_NEAR(turn(0, -9), -40 * h, 1e-12);
+  EXPECT_NEAR(turn(5, 4.99), 4.99, 1e-12);
+}
+
+TEST(Drive, LimitsAreEllipsesInTheRobotsFrame) {
+  const world::RobotSpecs specs = uneven();
+  const double h = world::substep_length;
+  const double heading = 0.4;
+  const Vector2d forward = world::direction(heading);
+  for (int i = 0; i < 36; ++i) {
+    const double angle = i * M_PI / 18;
+    const Vector2d direction = world::direction(angle + heading);
+    // Parametric against polar form: the end of the vector must lie on the ellipse.
+    const auto on_ellipse = [&](const Vector2d& vector, double along, double across) {
+      const Vector2d local = world::rotated(vector, -heading);
+      return std::pow(local.x() / along, 2) + std::pow(local.y() / across, 2);
+    };
+    const auto after = [&](const Vector2d& from, const Vector2d& to, double time) {
+      return physics::driven({from, 0}, {to, 0}, forward, specs, time).velocity;
+    };
+    EXPECT_NEAR(on_ellipse(after({0, 0}, direction * 20, 100), 3, 2), 1, 1e-9) << i;
+    EXPECT_NEAR(on_ellipse(after({0, 0}, direction * 20, h) / h, 4, 2.5), 1, 1e-9) << i;
+    EXPECT_NEAR(on_ellipse((after(direction, -direction, h) - direction) / h, 6, 5), 1, 1e-9) << i;
+  }
+}
+
+TEST(Drive, NothingJumpsWhenTheDirectionTurns) {
+  // From speeding up over going across to braking: neighbouring directions get neighbouring limits.
+  const world::RobotSpecs specs = uneven();
+  const double h = world::substep_length;
+  double before = 0;
+  for (int i = 0; i <= 3600; ++i) {
+    const Vector2d velocity = world::direction(0.3);
+    const Vector2d asked = velocity + 0.5 * world::direction(i * M_PI / 1800);
+    const double limit =
+        (physics::driven({velocity, 0}, {asked, 0}, {1, 0}, specs, h).velocity - velocity).norm() / h;
+    if (i > 0) {
+      EXPECT_NEAR(limit, before, 0.02) << i;  // the ellipses change by up to 7 m/s^2 per radian
+    }
+    before = limit;
+  }
+}
+
+TEST(Drive, EqualLimitsTakeTheCircleAndUnequalOnesTendToIt) {
+  world::RobotSpecs circle, nearly;
+  for (double* limit :
+       {&nearly.max_speed_sideways, &nearly.max_acceleration_sideways, &nearly.max_brake_sideways}) {
+    *limit *= 1 + 1e-12;
+  }
+  for (int i = 0; i < 50; ++i) {
+    const Vector2d now = 2 * world::direction(i), asked = 4 * world::direction(2.7 * i);
+    const Vector2d a =
+        physics::driven({now, 0}, {asked, 0}, world::direction(i * 0.3), circle, 0.01).velocity;
+    const Vector2d b =
+        physics::driven({now, 0}, {asked, 0}, world::direction(i * 0.3), nearly, 0.01).velocity;
+    EXPECT_LT((a - b).norm(), 1e-11);  // two ways to compute the same
+  }
 }
 
 TEST(Drive, TurnsUnderItsLimits) {
