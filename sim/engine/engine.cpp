@@ -101,6 +101,24 @@ struct Engine::State {
   Timing* timing = nullptr;
 };
 
+struct Snapshot::Values {
+  physics::State physics;
+  vision::Cameras cameras;
+  std::vector<RobotRadio> radios;
+  std::vector<world::PerTeam<world::TeamCommands>> queue;
+  truth::Frame frame;
+};
+
+Snapshot::Snapshot(std::unique_ptr<Values> values) : values_(std::move(values)) {}
+Snapshot::Snapshot(const Snapshot& other) : values_(std::make_unique<Values>(*other.values_)) {}
+Snapshot& Snapshot::operator=(const Snapshot& other) {
+  if (this != &other) values_ = std::make_unique<Values>(*other.values_);
+  return *this;
+}
+Snapshot::Snapshot(Snapshot&&) noexcept = default;
+Snapshot& Snapshot::operator=(Snapshot&&) noexcept = default;
+Snapshot::~Snapshot() = default;
+
 Engine::Engine(Model model) : state_(std::make_unique<State>(std::move(model))) {}
 Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
@@ -144,6 +162,28 @@ std::int64_t Engine::tick() const { return state_->frame.tick; }
 world::Time Engine::time() const { return state_->frame.time; }
 const truth::Frame& Engine::truth() const { return state_->frame; }
 std::span<const world::Detection> Engine::detections() const { return state_->cameras.delivered(); }
+
+Snapshot Engine::snapshot() const {
+  const State& state = *state_;
+  return Snapshot(std::make_unique<Snapshot::Values>(
+      Snapshot::Values{state.world.state(), state.cameras, state.radios, state.queue, state.frame}));
+}
+
+void Engine::restore(const Snapshot& snapshot) {
+  State& state = *state_;
+  const Snapshot::Values& values = *snapshot.values_;
+  if (values.radios.size() != state.radios.size() || values.queue.size() != state.queue.size()) {
+    throw std::invalid_argument(
+        "snapshot: it is of another model, with " + std::to_string(values.radios.size()) +
+        " robots and a latency of " + std::to_string(values.queue.size() - 1) + " ticks; this one has " +
+        std::to_string(state.radios.size()) + " and " + std::to_string(state.queue.size() - 1));
+  }
+  state.world.restore(values.physics);
+  state.cameras = values.cameras;
+  state.radios = values.radios;
+  state.queue = values.queue;
+  state.frame = values.frame;
+}
 
 void Engine::place_ball(const world::Vector2d& spot) {
   state_->world.place_ball(spot);

@@ -17,6 +17,23 @@ struct Timing {
   std::chrono::steady_clock::duration vision{};  ///< the cameras' share, summed up
 };
 
+/// Everything that changes in an Engine, at one moment. Belongs to one Model; may be kept, copied, restored
+/// any number of times. (A whole game is kept otherwise: experiments/host, recorded games.)
+class Snapshot {
+ public:
+  Snapshot(const Snapshot&);
+  Snapshot& operator=(const Snapshot&);
+  Snapshot(Snapshot&&) noexcept;
+  Snapshot& operator=(Snapshot&&) noexcept;
+  ~Snapshot();
+
+ private:
+  friend class Engine;
+  struct Values;
+  explicit Snapshot(std::unique_ptr<Values> values);
+  std::unique_ptr<Values> values_;
+};
+
 /// The simulator: a constant Model, a State that changes, and `step`.
 ///
 /// Nothing is called back; after a step read `truth()` and `detections()`. The same model and the same
@@ -55,6 +72,17 @@ class Engine {
 
   /// What arrived at the end of the last step (vision delay applied), in the order of capture.
   std::span<const world::Detection> detections() const;
+
+  /// Everything that changes: bodies, actuators, radio, cameras, what is on its way, all random streams.
+  Snapshot snapshot() const;
+
+  /// Goes on from a snapshot of an Engine of the same model.
+  ///
+  /// Every continuation with the same commands is alike to the bit. It equals the original's too, unless
+  /// bodies touched at that moment: Bullet's contact caches start anew.
+  ///
+  /// @throws std::invalid_argument when the model has other robots or another latency
+  void restore(const Snapshot& snapshot);
 
   /// Puts the ball on the ground there, at rest and without spin; contact caches are cleared.
   /// Robots in the way stay: see `push_robots_out`. They are pushed off by the physics, without energy.

@@ -225,8 +225,7 @@ TEST(Engine, RobotsLeaveAndComeBack) {
 }
 
 // Random commands of everyone for `ticks` ticks, with teleports; a hash over truth and detections.
-std::uint64_t hash_of_passage(std::string_view realism, std::uint64_t seed, int ticks) {
-  Engine engine(six_a_side(realism, seed));
+std::uint64_t hash_of_passage(Engine& engine, std::uint64_t seed, int ticks) {
   world::RandomStream random(seed, "passage");
   std::uint64_t hash = 0xcbf29ce484222325U;
   const auto add = [&](double value) {
@@ -266,6 +265,50 @@ std::uint64_t hash_of_passage(std::string_view realism, std::uint64_t seed, int 
     }
   }
   return hash;
+}
+
+std::uint64_t hash_of_passage(std::string_view realism, std::uint64_t seed, int ticks) {
+  Engine engine(six_a_side(realism, seed));
+  return hash_of_passage(engine, seed, ticks);
+}
+
+TEST(Engine, EveryContinuationOfASnapshotHasTheSameBits) {
+  Engine engine(six_a_side("harsh", 3));
+  hash_of_passage(engine, 3, 140);  // a crowd at the ball
+  const engine::Snapshot snapshot = engine.snapshot();
+  const engine::Snapshot copy = snapshot;
+  const std::int64_t tick = engine.tick();
+
+  Engine fresh(six_a_side("harsh", 3));
+  fresh.restore(snapshot);
+  EXPECT_EQ(fresh.tick(), tick);
+  EXPECT_EQ(fresh.truth().ball.position, engine.truth().ball.position);
+  const std::uint64_t first = hash_of_passage(fresh, 4, 300);
+
+  hash_of_passage(engine, 5, 77);  // taking a snapshot is no promise to stay
+  engine.restore(copy);
+  EXPECT_EQ(hash_of_passage(engine, 4, 300), first);
+  engine.restore(snapshot);
+  EXPECT_NE(hash_of_passage(engine, 6, 300), first);
+}
+
+// Without touch there are no contact caches: noise, losses, delays, latencies, robots and ball go on as they
+// were.
+TEST(Engine, AContinuationIsTheOriginalWhileNothingTouches) {
+  Engine engine(six_a_side("harsh", 3));
+  hash_of_passage(engine, 3, 8);
+  const engine::Snapshot snapshot = engine.snapshot();
+  Engine other(six_a_side("harsh", 3));
+  other.restore(snapshot);
+  const std::uint64_t original = hash_of_passage(engine, 4, 15);
+  ASSERT_TRUE(engine.truth().contacts.empty());
+  EXPECT_EQ(hash_of_passage(other, 4, 15), original);
+}
+
+TEST(Engine, ASnapshotOfAnotherModelIsRefused) {
+  Model model = six_a_side();
+  model.robots[Team::Blue].pop_back();
+  EXPECT_THROW(Engine(model).restore(Engine(six_a_side()).snapshot()), std::invalid_argument);
 }
 
 TEST(Engine, SameSeedAndCommandsGiveTheSameBits) {
