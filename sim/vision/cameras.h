@@ -5,23 +5,27 @@
 #include <vector>
 
 #include "sim/truth/truth.h"
+#include "sim/vision/eye.h"
+#include "sim/vision/optics.h"
 #include "sim/vision/params.h"
 #include "sim/world/detection.h"
 #include "sim/world/field.h"
-#include "sim/world/random.h"
+#include "sim/world/robot_specs.h"
 
 namespace vision {
 
-/// The cameras above the field: truth in, detections as they are on the wire out.
+/// The cameras above the field: truth in, detections as they are on the wire out. A value that can be copied:
+/// the copy goes on as the original does.
 ///
-/// Each camera has its own phase (see `captures_after`), its own area (`Area`), its own frame counter and its
-/// own random streams, so that what one camera loses does not shift the noise of another.
+/// Each camera has its own phase (see `captures_after`), its own area, its own frame counter and its own
+/// randomness, so that what one camera loses does not shift the noise of another.
 class Cameras {
  public:
-  /// @param seed  of the match; the streams are named "vision camera <index> ..."
-  /// @throws std::invalid_argument  for no camera, a camera not above robot height, equal camera ids, a
-  ///                                probability outside 0..1, a negative sigma, delay or overlap
-  Cameras(const world::Geometry& geometry, const Params& params, std::uint64_t seed);
+  /// @param seed  of the match; everything random is named "vision camera <index> ..."
+  /// @param body  of every robot
+  /// @throws std::invalid_argument  see check.h
+  Cameras(const world::Geometry& geometry, const Params& params, std::uint64_t seed,
+          const world::RobotSpecs& body = {});
 
   /// Starts a tick: what was captured `Params::delay` ticks ago is forgotten after its delivery.
   void begin_tick();
@@ -29,6 +33,8 @@ class Cameras {
   /// Takes the images of every camera whose phase is the end of `substep` (1..4) of the present tick.
   ///
   /// @param now     instant of the images; rounded to whole microseconds in the detections
+  /// @param robots  sorted by id
+  /// @pre   robot numbers are at most 15
   void capture(int substep, world::Time now, const truth::Ball& ball, std::span<const truth::Robot> robots);
 
   /// Says whether any camera takes an image after this substep (1..4).
@@ -38,38 +44,19 @@ class Cameras {
   std::span<const world::Detection> delivered() const;
 
  private:
-  struct Area {  // [m] on the ground; infinite towards the outside
-    double min_x, max_x, min_y, max_y;
-    bool contains(const world::Vector2d& point) const;
-  };
-  struct CameraState {
-    world::Camera camera;
-    Area area;
+  struct Phased {
+    Eye eye;
     int substep;  // 1..4
-    std::uint32_t frame_number;
-    world::RandomStream noise, loss;
   };
   struct Batch {  // the images of one tick; detections are reused, `count` of them are valid
     std::vector<world::Detection> detections;
     std::size_t count = 0;
   };
 
-  void take_image(CameraState& camera, world::Time now, const truth::Ball& ball,
-                  std::span<const truth::Robot> robots, world::Detection& out);
-
-  Params params_;
-  double ball_radius_ = 0;  // [m]
-  std::vector<CameraState> cameras_;
+  world::Duration delay_{};
+  std::vector<Phased> cameras_;
   std::vector<Batch> batches_;  // ring of delay + 1 ticks
   std::size_t present_ = 0;     // batch of the present tick
 };
-
-/// Where the ball's centre appears on the ground: the ray from the camera through it, followed down.
-///
-/// For a camera at height H and a ball whose lowest point is at height z, g = c + (p - c) H / (H - z)
-/// (reference "football", 3.3: heights are counted from the resting ball, as the league's calibration does).
-/// Heights above 0.9 H count as 0.9 H (ER-Force simulator does the same), so the result stays finite.
-world::Vector2d projected_to_ground(const world::Vector3d& camera, const world::Vector3d& ball,
-                                    double ball_radius);
 
 }  // namespace vision
