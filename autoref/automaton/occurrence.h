@@ -10,10 +10,14 @@ namespace automaton {
 /// How the laws punish a foul: an indirect or a direct free kick (a penalty in the offender's own area).
 enum class Severity : std::uint8_t { Minor, Serious };
 
+/// What a robot's team is shown for an offence.
+enum class Card : std::uint8_t { None, Yellow, Red };
+
 struct Foul {
   world::RobotId by;
   world::Vector2d location = world::Vector2d::Zero();  ///< [m] where the free kick is due
   Severity severity = Severity::Minor;
+  Card card = Card::None;
 };
 
 /// A team asks for something; the paper does not say how (I-42), here it comes from outside the referee.

@@ -10,12 +10,24 @@
 
 namespace world {
 
+/// A ball in the air, as the filter understands it.
+struct Flight {
+  Time kicked;                                  ///< when it left the ground
+  Vector2d from = Vector2d::Zero();             ///< [m] and where
+  Vector3d launch_velocity = Vector3d::Zero();  ///< [m/s]
+  double highest = 0;                           ///< [m] greatest height of the ball's lowest point so far
+};
+
 /// Positions and velocities are in the field frame, SI units, unless a name ends in `_local`.
 struct TrackedBall {
   Vector3d position = Vector3d::Zero();  ///< [m] centre; z is the height above its resting place
   Vector3d velocity = Vector3d::Zero();  ///< [m/s]
   bool observed = false;                 ///< some camera saw it in this frame
   Duration unseen{};                     ///< time since a camera saw it last
+  double sigma = 0;                      ///< [m] standard deviation of the position, larger of both axes
+  double airborne = 0;                   ///< probability that it is in the air now
+  std::optional<Flight>
+      flight{};  ///< while airborne is above a half; position and velocity are then in space
 };
 
 struct TrackedRobot {
@@ -33,7 +45,8 @@ struct Touch {
   RobotId robot;
   Time time;  ///< of the contact; up to a few frames before the frame that reports it
   Vector2d position = Vector2d::Zero();  ///< [m] ball at that time
-  double probability = 1;
+  double probability = 1;                ///< that this robot was the last to touch it
+  std::optional<RobotId> rival{};        ///< who else it may have been, the most likely one
 };
 
 /// What the tracker believes about one instant of the match.
