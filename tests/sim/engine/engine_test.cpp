@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <iostream>
 
 #include "sim/world/random.h"
 
@@ -311,11 +312,20 @@ TEST(Engine, ASnapshotOfAnotherModelIsRefused) {
   EXPECT_THROW(Engine(model).restore(Engine(six_a_side()).snapshot()), std::invalid_argument);
 }
 
-TEST(Engine, SameSeedAndCommandsGiveTheSameBits) {
+
+TEST(Engine, AnotherSeedGivesAnotherGame) {
   for (const char* realism : {"measured", "harsh"}) {
-    const std::uint64_t first = hash_of_passage(realism, 11, 600);
-    EXPECT_EQ(first, hash_of_passage(realism, 11, 600));
-    EXPECT_NE(first, hash_of_passage(realism, 12, 600));
+    EXPECT_NE(hash_of_passage(realism, 11, 600), hash_of_passage(realism, 12, 600));
+  }
+}
+
+// Printed, to be compared between presets (dev, asan, release) by eye: rounding may differ with the optimiser, and
+// then a crowd of bodies soon does. The numbers are in the README.
+TEST(Engine, SameSeedAndCommandsGiveTheSameBits) {
+  for (const char* realism : {"none", "measured", "harsh"}) {
+    const std::uint64_t hash = hash_of_passage(realism, 11, 600);
+    std::cout << "hash of 10 s, " << realism << ": " << std::hex << hash << std::dec << "\n";
+    EXPECT_EQ(hash, hash_of_passage(realism, 11, 600));
   }
 }
 
