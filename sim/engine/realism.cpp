@@ -34,7 +34,7 @@ Realism measured() {
   realism.vision.area_sigma = 6.5;
   realism.vision.visible_share = 0.4;
   physics::ActuatorErrors& actuators = realism.physics.actuators;
-  actuators.kick_direction_sigma = 0.015;
+  actuators.kick_direction_sigma = 0.02;
   actuators.kick_speed_sigma = 0.03;
   actuators.chip_angle_sigma = 0.03;
   actuators.misfire = 0.005;
