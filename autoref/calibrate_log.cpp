@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <system_error>
@@ -70,13 +72,22 @@ int calibrate_log(const CalibrateOptions& options, std::ostream& out, std::ostre
   listener.batch = [&](std::span<const world::Detection> batch) {
     for (const world::Detection& image : batch) observer.add(image);
   };
+  std::optional<world::Geometry> geometry;
+  listener.geometry = [&](const world::Geometry& told) {
+    if (!geometry) geometry = told;
+    for (const world::Camera& camera : told.cameras) {
+      if (std::ranges::find(geometry->cameras, camera.id, &world::Camera::id) == geometry->cameras.end()) {
+        geometry->cameras.push_back(camera);
+      }
+    }
+  };
   const LogCount count = read_log(options.file, survey, listener);
   if (count.cameras.empty()) {
     throw std::runtime_error(
         count.defect.empty() ? options.file.string() + ": holds no images to calibrate from" : count.defect);
   }
   const calibrate::Observations seen = observer.finish();
-  const calibrate::Report report = calibrate::calibrated(seen, survey.geometry);
+  const calibrate::Report report = calibrate::calibrated(seen, geometry);
   const std::string title = title_of(options, seen);
   if (options.json) {
     out << calibrate::to_json(report, title);
@@ -89,7 +100,7 @@ int calibrate_log(const CalibrateOptions& options, std::ostream& out, std::ostre
     errors << "ssl-autoref: " << count.defect << '\n';
     return 2;
   }
-  if (!survey.geometry) {
+  if (!geometry) {
     errors << "ssl-autoref: " << options.file.string()
            << ": holds no geometry, so height and overlap of the cameras are left out\n";
     return 2;

@@ -24,6 +24,7 @@ constexpr double most_bend = 0.003;    // [m] rms of residuals
 constexpr std::size_t enough = 3;      // pieces
 constexpr double kick = 1.0;           // [m/s] slower starts are not called kicks
 constexpr std::size_t enough_kicks = 5;
+constexpr double way_back = 0.005;  // error of a speed followed back to the robot (README)
 
 struct Piece {
   std::span<const Sighting> sightings;
@@ -110,7 +111,7 @@ void add_ball(const Observations& seen, const Noise& noise, Report& report) {
       // Back to the robot, where the ball was before.
       const double speed =
           std::sqrt(fit.speed.value * fit.speed.value + 2 * fit.first.value * piece.start_gap);
-      kicks.push_back({speed, fit.speed.error, 1});
+      kicks.push_back({speed, std::hypot(fit.speed.error, way_back * speed), 1});
       if (fit.second) switches.push_back(fit.switch_speed / speed);
     }
   }

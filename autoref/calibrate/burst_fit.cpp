@@ -5,9 +5,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace calibrate {
 namespace {
+
+constexpr double tiny = 1e-300;  // instead of a probability of 0
 
 // ln m, ln s, ln(L - 1)
 using Logs = std::array<double, 3>;
@@ -21,10 +24,16 @@ double log_likelihood(const Gaps& gaps, const Logs& logs) {
   double good = 1;
   double burst = 0;
   double sum = 0;
-  for (const std::int64_t count : gaps) {
+  const std::size_t longest = std::max(gaps.ended.size(), gaps.open.size());
+  for (std::size_t n = 0; n < longest; ++n) {
     const double now_good = good * (1 - s) + burst / length;
     const double now_burst = good * s + burst * (1 - 1 / length);
-    if (count > 0) sum += static_cast<double>(count) * std::log(std::max(now_good * (1 - m), 1e-300));
+    if (n < gaps.open.size() && gaps.open[n] > 0) {
+      sum += static_cast<double>(gaps.open[n]) * std::log(std::max(good + burst, tiny));
+    }
+    if (n < gaps.ended.size() && gaps.ended[n] > 0) {
+      sum += static_cast<double>(gaps.ended[n]) * std::log(std::max(now_good * (1 - m), tiny));
+    }
     good = now_good * m;
     burst = now_burst;
   }
@@ -34,7 +43,7 @@ double log_likelihood(const Gaps& gaps, const Logs& logs) {
 // Steps along each axis, halved when none helps.
 double climb(const Gaps& gaps, Logs& logs) {
   double best = log_likelihood(gaps, logs);
-  for (double step = 1; step > 1e-5;) {
+  for (double step = 1; step > 1e-4;) {
     bool improved = false;
     for (double& number : logs) {
       for (const double sign : {1.0, -1.0}) {
@@ -84,13 +93,29 @@ Logs errors_at(const Gaps& gaps, const Logs& logs) {
 
 }  // namespace
 
-BurstFit fit_bursts(const Gaps& gaps) {
-  double seen = 0;
-  double missed = 0;
-  for (std::size_t n = 0; n < gaps.size(); ++n) {
-    seen += static_cast<double>(gaps[n]);
-    missed += static_cast<double>(gaps[n]) * static_cast<double>(n);
+void Gaps::add(std::size_t missed, bool is_open) {
+  std::vector<std::int64_t>& counts = is_open ? open : ended;
+  if (counts.size() <= missed) counts.resize(missed + 1);
+  ++counts[missed];
+}
+
+double Gaps::seen() const {
+  return static_cast<double>(std::accumulate(ended.begin(), ended.end(), std::int64_t{0}));
+}
+
+double Gaps::missed() const {
+  double sum = 0;
+  for (const auto* counts : {&ended, &open}) {
+    for (std::size_t n = 0; n < counts->size(); ++n) {
+      sum += static_cast<double>((*counts)[n]) * static_cast<double>(n);
+    }
   }
+  return sum;
+}
+
+BurstFit fit_bursts(const Gaps& gaps) {
+  const double seen = gaps.seen();
+  const double missed = gaps.missed();
   const double images = seen + missed;
   const double share = missed / images;
   const auto samples = static_cast<std::size_t>(images);
@@ -103,7 +128,7 @@ BurstFit fit_bursts(const Gaps& gaps) {
   const double without = log_likelihood(gaps, {std::log(share), -40, 0});
   double with = -std::numeric_limits<double>::infinity();
   Logs best{};
-  for (const double length : {2.0, 8.0, 40.0}) {
+  for (const double length : {3.0, 30.0}) {
     Logs logs = {std::log(share / 2), std::log(share / 2 / length), std::log(length - 1)};
     const double found = climb(gaps, logs);
     if (found > with) {

@@ -8,8 +8,15 @@
 
 namespace calibrate {
 
-/// Sightings by the number of images missed before the next one: [0] none, [1] one, ...
-using Gaps = std::vector<std::int64_t>;
+/// Sightings by the number of images missed after them: [0] none, [1] one, ...
+struct Gaps {
+  std::vector<std::int64_t> ended;  ///< until the next sighting
+  std::vector<std::int64_t> open;   ///< at least; then nobody could tell any more
+
+  void add(std::size_t missed, bool is_open = false);
+  double seen() const;
+  double missed() const;
+};
 
 /// Losses as single misses and bursts.
 struct BurstFit {

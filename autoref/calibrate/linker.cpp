@@ -9,15 +9,23 @@ namespace {
 
 using world::Vector2d;
 
-// Where the object of the track would be now, going on as between its last two sightings for a moment.
-Vector2d foretold(const Track& track, double time) {
+constexpr double for_speed = 0.1;  // [s] of sightings that tell it
+
+// Where the object of the track would be now, going on as it did.
+Vector2d foretold(const Track& track, double time, double inertia) {
   const Sighting& last = track.sightings.back();
-  if (track.sightings.size() < 2) return last.position;
-  const Sighting& before = track.sightings[track.sightings.size() - 2];
-  const double since = last.time - before.time;
-  if (since > 0.05) return last.position;
-  return last.position + (last.position - before.position) / since * std::min(time - last.time, 0.1);
+  const Sighting* before = &last;
+  for (std::size_t i = track.sightings.size(); i-- > 0 && last.time - track.sightings[i].time < for_speed;) {
+    before = &track.sightings[i];
+  }
+  if (before == &last) return last.position;
+  const Vector2d speed = (last.position - before->position) / (last.time - before->time);
+  return last.position + speed * std::min(time - last.time, inertia);
 }
+
+// A contradicted track is the object nevertheless when it is long and seldom contradicted: two cameras see a
+// ball in flight at two places.
+constexpr std::size_t brief = 60;  // [images]
 
 double worth(const Track& track) {
   Vector2d low = track.sightings.front().position;
@@ -74,8 +82,9 @@ void Linker::add(const std::vector<Sighting>& sightings) {
   };
   std::vector<Pair> pairs;
   for (std::size_t t = 0; t < active_.size(); ++t) {
-    const Vector2d expected = foretold(active_[t], now);
-    const double gate = gate_.slack + std::min(gate_.speed * (now - active_[t].end()), gate_.reach);
+    const Vector2d expected = foretold(active_[t], now, gate_.inertia);
+    const double unseen = now - active_[t].end();
+    const double gate = gate_.slack + std::min(gate_.speed * unseen, gate_.reach) + gate_.drift * unseen;
     for (std::size_t s = 0; s < sightings.size(); ++s) {
       const double distance = (sightings[s].position - expected).norm();
       if (distance < gate) pairs.push_back({distance, t, s});
@@ -114,9 +123,11 @@ Identity identify(std::vector<Track> tracks, std::size_t shortest) {
       there += vote > 0;
       elsewhere += vote < 0;
     }
-    if (elsewhere > there) {
+    const std::size_t all = track.sightings.size();
+    const bool contradicted = elsewhere > there;
+    if (contradicted && 3 * elsewhere >= all) {
       identity.impostors.push_back(std::move(track));
-    } else if (there == 0 && track.sightings.size() < shortest) {
+    } else if (there == 0 && (all < shortest || (contradicted && all < brief))) {
       identity.unclear.push_back(std::move(track));
     } else {
       known.add(track);

@@ -27,16 +27,19 @@ struct Track {
   double end() const { return sightings.back().time; }
 };
 
-/// How far an object may be from where its motion would have brought it: slack + speed x time, for longer
-/// gaps at most `reach`; a track not seen for `patience` has ended.
+/// How far an object may be from where its motion would have brought it in a time t: slack +
+/// min(speed t, reach) + drift t. Its motion goes on for `inertia`; unseen for `patience` its track has
+/// ended.
 struct Gate {
   double slack;     ///< [m]
   double speed;     ///< [m/s]
   double reach;     ///< [m]
+  double drift;     ///< [m/s]
+  double inertia;   ///< [s]
   double patience;  ///< [s]
 };
-inline constexpr Gate ball_gate{0.05, 10, 0.5, 4};  // a kick of 10 m/s, or half a metre in a long gap
-inline constexpr Gate robot_gate{0.05, 5, 0.5, 4};
+inline constexpr Gate ball_gate{0.05, 10, 0.5, 0.5, 2, 4};  // kicks up to 10 m/s; rolls on when unseen
+inline constexpr Gate robot_gate{0.05, 5, 0.5, 0.5, 0.2, 4};
 
 /// Makes tracks of the sightings of one kind of object in one camera, nearest first.
 class Linker {
@@ -56,11 +59,11 @@ class Linker {
 };
 
 /// Which tracks are the object, of which there is one at a time: the long and far travelled ones first, each
-/// one unless it was somewhere else while a better one saw the object.
+/// one unless it was somewhere else, for a third of its images at least, while a better one saw the object.
 struct Identity {
   std::vector<Track> object;
   std::vector<Track> impostors;  ///< elsewhere at the same time
-  std::vector<Track> unclear;    ///< shorter than `shortest`, and nobody saw the object then
+  std::vector<Track> unclear;    ///< short, and hardly anybody saw the object then
 };
 Identity identify(std::vector<Track> tracks, std::size_t shortest);
 

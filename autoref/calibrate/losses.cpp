@@ -12,106 +12,66 @@ using world::Vector2d;
 constexpr double longest = 4;     // [s] a longer absence may have other reasons
 constexpr double may_hide = 0.3;  // [m] radius of a robot, of the ball, and a shadow of 0.16 m
 constexpr double same = 0.1;      // [m] a stray number nearer to a lost robot is that robot
-constexpr std::size_t enough = 500;
-constexpr std::int64_t enough_gaps = 5;
+constexpr double enough = 500;    // images
+constexpr std::int64_t enough_bursts = 5;
 
-void count(Gaps& gaps, std::size_t missed) {
-  if (gaps.size() <= missed) gaps.resize(missed + 1);
-  ++gaps[missed];
-}
-
-struct BallGaps {
-  Gaps free;
-  Gaps near_robots;
-};
-
-// The place of the track at an image between two sightings.
+// The place of the track at an instant between two sightings.
 Vector2d between(const Sighting& a, const Sighting& b, double time) {
   return a.position + (b.position - a.position) * ((time - a.time) / (b.time - a.time));
 }
 
-bool seen_well(const CameraImages& camera, const Sighting& a, const Sighting& b) {
-  return b.time - a.time <= longest && camera.sees_well(a.position) && camera.sees_well(b.position);
-}
-
-void count_ball(const Observations& seen, const Track& track, BallGaps& gaps) {
-  const CameraImages& camera = seen.cameras[track.camera];
-  const auto& all = track.sightings;
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    const Sighting& a = all[i - 1];
-    const Sighting& b = all[i];
-    if (!seen_well(camera, a, b)) continue;
-    bool free = true;
-    for (std::uint32_t image = a.image; image <= b.image && free; ++image) {
-      const double time = camera.times[image];
-      free = !seen.robot_near(between(a, b, time), time, may_hide);
-    }
-    count(free ? gaps.free : gaps.near_robots, b.image - a.image - 1);
-  }
-}
-
-bool stray_at(const Observations& seen, std::size_t camera, std::uint32_t image, const world::RobotId& id,
+bool stray_at(const Observations& seen, std::size_t camera, std::uint32_t image, world::Team team,
               const Vector2d& place) {
   const auto before = [](const Stray& s, const std::pair<std::size_t, std::uint32_t>& key) {
     return s.camera != key.first ? s.camera < key.first : s.image < key.second;
   };
   auto at = std::lower_bound(seen.strays.begin(), seen.strays.end(), std::pair{camera, image}, before);
   for (; at != seen.strays.end() && at->camera == camera && at->image == image; ++at) {
-    if (at->team == id.team && (at->position - place).norm() < same) return true;
+    if (at->team == team && (at->position - place).norm() < same) return true;
   }
   return false;
 }
 
-void count_robot(const Observations& seen, world::RobotId id, const Track& track, Gaps& gaps) {
-  const CameraImages& camera = seen.cameras[track.camera];
+// Counts the gaps of a track. From each sighting that counts, the images are followed up to the next one; a
+// gap that comes to a place that does not count stays open there, so long gaps count as well as short ones.
+//
+// counts(place, time): the object should be seen there; otherwise(image, place): it was, under another name.
+void count_gaps(const CameraImages& camera, const Track& track, auto&& counts, auto&& otherwise, Gaps& gaps) {
   const auto& all = track.sightings;
   for (std::size_t i = 1; i < all.size(); ++i) {
     const Sighting& a = all[i - 1];
     const Sighting& b = all[i];
-    if (!seen_well(camera, a, b)) continue;
+    if (b.time - a.time > longest || !counts(a.position, a.time)) continue;
     std::size_t missed = 0;
-    for (std::uint32_t image = a.image + 1; image < b.image; ++image) {
-      if (stray_at(seen, track.camera, image, id, between(a, b, camera.times[image]))) {
-        count(gaps, missed);  // seen after all
+    bool open = false;
+    for (std::uint32_t image = a.image + 1; image <= b.image && !open; ++image) {
+      const double time = camera.times[image];
+      const Vector2d place = between(a, b, time);
+      if (!counts(place, time)) {
+        open = true;
+      } else if (image < b.image && otherwise(image, place)) {
+        gaps.add(missed);
         missed = 0;
-      } else {
+      } else if (image < b.image) {
         ++missed;
       }
     }
-    count(gaps, missed);
+    gaps.add(missed, open);
   }
-}
-
-struct Totals {
-  double images = 0;
-  std::int64_t gaps = 0;
-  double share = 0;
-};
-
-Totals totals(const Gaps& gaps) {
-  Totals t;
-  double missed = 0;
-  for (std::size_t n = 0; n < gaps.size(); ++n) {
-    const auto number = static_cast<double>(gaps[n]);
-    t.images += number * static_cast<double>(n + 1);
-    missed += number * static_cast<double>(n);
-    if (n > 0) t.gaps += gaps[n];
-  }
-  if (t.images > 0) t.share = missed / t.images;
-  return t;
 }
 
 void report_gaps(const std::string& what, const Gaps& gaps, Report& report) {
   const std::string prefix = "vision." + what;
-  const Totals t = totals(gaps);
-  if (t.images < static_cast<double>(enough)) {
-    report.lack(prefix + "_missing", what + " losses",
-                fmt::format("too few: {:.0f} images; at least {} are needed", t.images, enough));
+  const double images = gaps.seen() + gaps.missed();
+  if (images < enough) {
+    const std::string why = fmt::format("too few: {:.0f} images; at least {:.0f} are needed", images, enough);
+    report.lack(prefix + "_missing", what + " missing outside bursts", why);
+    report.lack(prefix + "_burst_start", what + " burst starts, per image", why);
     return;
   }
   const BurstFit fit = fit_bursts(gaps);
-  report.tell(what + " losses, share of all images", "", {t.share, 0, fit.missing.samples},
-              fmt::format("{} gaps, the longest of {} images", t.gaps, gaps.size() - 1));
+  report.tell(what + " losses, share of all images", "", {gaps.missed() / images, 0, fit.missing.samples},
+              fmt::format("the longest of {} images", std::max(gaps.ended.size(), gaps.open.size()) - 1));
   const std::string missing = what + " missing outside bursts";
   report.add(prefix + "_missing", missing, "", fit.missing,
              fit.start.value > 0 ? "two-state fit of the gaps" : "misses / images: no bursts");
@@ -120,10 +80,10 @@ void report_gaps(const std::string& what, const Gaps& gaps, Report& report) {
                "none: gaps are as single misses make them; the error is the 95 % bound");
     return;
   }
-  const auto bursts = static_cast<std::int64_t>(fit.start.value * t.images + 0.5);
-  if (bursts < enough_gaps) {
+  const auto bursts = static_cast<std::int64_t>(fit.start.value * gaps.seen() + 0.5);
+  if (bursts < enough_bursts) {
     const std::string why =
-        fmt::format("too few: about {} bursts; at least {} are needed", bursts, enough_gaps);
+        fmt::format("too few: about {} bursts; at least {} are needed", bursts, enough_bursts);
     report.lack(prefix + "_burst_start", what + " burst starts, per image", why);
     report.lack(prefix + "_burst_length", what + " burst length", why);
     return;
@@ -136,18 +96,41 @@ void report_gaps(const std::string& what, const Gaps& gaps, Report& report) {
 }  // namespace
 
 void add_losses(const Observations& seen, Report& report) {
-  BallGaps ball;
-  for (const Track& track : seen.ball) count_ball(seen, track, ball);
-  report_gaps("ball", ball.free, report);
-  const Totals hidden = totals(ball.near_robots);
-  if (hidden.images > 0) {
+  Gaps ball;
+  Gaps hidden;
+  const auto never = [](std::uint32_t, const Vector2d&) { return false; };
+  for (const Track& track : seen.ball) {
+    const CameraImages& camera = seen.cameras[track.camera];
+    const auto covered = [&](const Vector2d& place, double time) {
+      return seen.robot_near(place, time, may_hide);
+    };
+    count_gaps(
+        camera, track,
+        [&](const Vector2d& place, double time) { return camera.sees_well(place) && !covered(place, time); },
+        never, ball);
+    count_gaps(
+        camera, track,
+        [&](const Vector2d& place, double time) { return camera.sees_well(place) && covered(place, time); },
+        never, hidden);
+  }
+  report_gaps("ball", ball, report);
+  const double images = hidden.seen() + hidden.missed();
+  if (images > 0) {
     report.tell("  with a robot within 0.3 m, share lost", "",
-                {hidden.share, 0, static_cast<std::size_t>(hidden.images)},
+                {hidden.missed() / images, 0, static_cast<std::size_t>(images)},
                 "hidden, held or lost: counted apart");
   }
   Gaps robots;
   for (const Robot& robot : seen.robots) {
-    for (const Track& track : robot.tracks) count_robot(seen, robot.id, track, robots);
+    for (const Track& track : robot.tracks) {
+      const CameraImages& camera = seen.cameras[track.camera];
+      count_gaps(
+          camera, track, [&](const Vector2d& place, double) { return camera.sees_well(place); },
+          [&](std::uint32_t image, const Vector2d& place) {
+            return stray_at(seen, track.camera, image, robot.id.team, place);
+          },
+          robots);
+    }
   }
   report_gaps("robot", robots, report);
   for (const CameraImages& camera : seen.cameras) {

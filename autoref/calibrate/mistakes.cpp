@@ -9,15 +9,32 @@ namespace calibrate {
 namespace {
 
 constexpr std::size_t enough_false_balls = 10;  // for their lengths
+constexpr std::uint32_t pause = 5;              // [images]
 constexpr double enough_seconds = 60;           // without any of them the rate is not known to be small
 constexpr double enough_robots = 1000;          // sightings
 constexpr double same = 0.1;                    // [m] between a robot and its misread pattern, plus motion
 constexpr std::size_t enough_areas = 100;
 
+// The lengths of the false balls in a track: after a pause it is another one.
+void add_lengths(const Track& track, std::vector<double>& lengths) {
+  std::uint32_t first = track.sightings.front().image;
+  std::uint32_t last = first;
+  for (const Sighting& s : track.sightings) {
+    if (s.image - last > pause) {
+      lengths.push_back(last - first + 1.0);
+      first = s.image;
+    }
+    last = s.image;
+  }
+  lengths.push_back(last - first + 1.0);
+}
+
 void add_false_balls(const Observations& seen, Report& report) {
   double seconds = 0;
   for (const CameraImages& camera : seen.cameras) seconds += camera.seconds();
-  const auto number = static_cast<double>(seen.false_balls.size());
+  std::vector<double> lengths;
+  for (const Track& track : seen.false_balls) add_lengths(track, lengths);
+  const auto number = static_cast<double>(lengths.size());
   const std::string name = "false balls, per camera";
   if (seen.ball.empty() || (number == 0 && seconds < enough_seconds)) {
     report.lack("vision.false_ball_rate", name,
@@ -27,12 +44,8 @@ void add_false_balls(const Observations& seen, Report& report) {
     return;
   }
   report.add("vision.false_ball_rate", name, "1/s",
-             {number / seconds, std::sqrt(std::max(number, 3.0)) / seconds, seen.false_balls.size()},
+             {number / seconds, std::sqrt(std::max(number, 3.0)) / seconds, lengths.size()},
              "tracks elsewhere than the ball, while it was seen");
-  std::vector<double> lengths;
-  for (const Track& track : seen.false_balls) {
-    lengths.push_back(track.sightings.back().image - track.sightings.front().image + 1.0);
-  }
   if (lengths.size() < enough_false_balls) {
     const std::string why =
         fmt::format("too few: {} false balls; at least {} are needed", lengths.size(), enough_false_balls);

@@ -14,16 +14,18 @@ namespace {
 constexpr std::string_view base = "measured";
 
 // Digits that the error leaves meaningful: two of its own.
-std::string with_error(double value, double error) {
-  if (value == std::round(value) && error == 0) return fmt::format("{:.0f}", value);
-  if (!(error > 0)) return fmt::format("{:.4g}", value);
-  const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 9);
+std::string with_error(const Finding& finding) {
+  const double value = finding.value.value_or(0);
+  if (value == 0 || (!finding.key.empty() && preset_key(finding.key).whole))
+    return fmt::format("{:.0f}", value);
+  if (!(finding.error > 0)) return fmt::format("{:.4g}", value);
+  const int digits = std::clamp(1 - static_cast<int>(std::floor(std::log10(finding.error))), 0, 9);
   return fmt::format("{:.{}f}", value, digits);
 }
 
-std::string toml_number(double value, double error, bool whole) {
-  std::string text = whole ? fmt::format("{:.0f}", value) : with_error(value, error);
-  if (!whole && text.find_first_of(".e") == std::string::npos) text += ".0";
+std::string toml_number(const Finding& finding) {
+  std::string text = with_error(finding);
+  if (!preset_key(finding.key).whole && text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
 }
 
@@ -96,9 +98,9 @@ std::string to_toml(const Report& report, std::string_view title) {
       continue;
     }
     const std::string unit = finding->unit.empty() ? "" : fmt::format(" [{}]", finding->unit);
-    text += fmt::format("{} = {}  # {}{}, +- {}, {} samples: {}\n", name,
-                        toml_number(*finding->value, finding->error, key.whole), finding->quantity, unit,
-                        short_error(finding->error), finding->samples, finding->method);
+    text +=
+        fmt::format("{} = {}  # {}{}, +- {}, {} samples: {}\n", name, toml_number(*finding),
+                    finding->quantity, unit, short_error(finding->error), finding->samples, finding->method);
   }
   text +=
       "\n# No log tells what teams commanded, so radio, actuators, contact, kicker, dribbler and "
@@ -112,7 +114,7 @@ std::string to_table(const Report& report) {
                                  "unit", "samples", "method");
   for (const Finding& f : report.findings()) {
     if (f.value) {
-      text += fmt::format("{:<44} {:>11} {:>9} {:<7} {:>8}  {}\n", f.quantity, with_error(*f.value, f.error),
+      text += fmt::format("{:<44} {:>11} {:>9} {:<7} {:>8}  {}\n", f.quantity, with_error(f),
                           short_error(f.error), f.unit, f.samples, f.method);
     } else {
       text += fmt::format("{:<44} {:>11} {:>9} {:<7} {:>8}  {}\n", f.quantity, "-", "", "", "", f.missing);

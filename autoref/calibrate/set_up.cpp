@@ -10,10 +10,9 @@
 namespace calibrate {
 namespace {
 
-using world::Vector2d;
 using world::Vector3d;
 
-constexpr double beside = 1.0;  // [m] least distance of cameras in different columns or rows
+constexpr double apart = 1.0;  // [m] least distance of cameras in different columns or rows
 
 void add_rates(const Observations& seen, Report& report) {
   std::vector<double> delays;
@@ -42,20 +41,28 @@ const CameraImages* images_of(const Observations& seen, int id) {
   return found == seen.cameras.end() || found->low == found->high ? nullptr : &*found;
 }
 
-// How far beyond the middle line to a neighbour each camera saw something, for neighbours along one axis.
+// Camera b is the next one from a along the axis, in the same row or column.
+bool next_along(const std::vector<world::Camera>& cameras, const world::Camera& a, const world::Camera& b,
+                int axis) {
+  const auto beside = [&](const world::Camera& other) {
+    const Vector3d to = other.position - a.position;
+    return to[axis] > apart && std::abs(to[1 - axis]) < to[axis] / 2;
+  };
+  return beside(b) && std::ranges::none_of(cameras, [&](const world::Camera& c) {
+           return beside(c) && c.position[axis] < b.position[axis] - apart;
+         });
+}
+
+// Half of the strip that both of two neighbours saw: how far each sees beyond the line in the strip's middle.
 std::vector<double> reaches(const Observations& seen, const std::vector<world::Camera>& cameras) {
   std::vector<double> beyond;
   for (const world::Camera& a : cameras) {
     for (const world::Camera& b : cameras) {
-      const CameraImages* images = images_of(seen, a.id);
-      if (images == nullptr) continue;
-      const Vector3d to = b.position - a.position;
+      const CameraImages* left = images_of(seen, a.id);
+      const CameraImages* right = images_of(seen, b.id);
+      if (left == nullptr || right == nullptr) continue;
       for (const int axis : {0, 1}) {
-        if (to[axis] < beside || std::abs(to[1 - axis]) > beside) continue;
-        const CameraImages* others = images_of(seen, b.id);
-        if (others == nullptr) continue;
-        // Half of the strip that both saw; the middle line itself is where the two reaches meet.
-        beyond.push_back((images->high[axis] - others->low[axis]) / 2);
+        if (next_along(cameras, a, b, axis)) beyond.push_back((left->high[axis] - right->low[axis]) / 2);
       }
     }
   }
@@ -100,10 +107,9 @@ void add_set_up(const Observations& seen, const std::optional<world::Geometry>& 
       report.lack("vision.overlap", "overlap", "no two cameras stand beside each other");
     } else {
       const auto [least, most] = std::ranges::minmax(beyond);
-      report.add(
-          "vision.overlap", "overlap", "m",
-          {std::max(0.0, median(beyond)), (most - least) / 2, beyond.size()},
-          fmt::format("half of the strip that both of two neighbours saw, {:.2f} to {:.2f}", least, most));
+      report.add("vision.overlap", "overlap", "m", {std::max(0.0, most), (most - least) / 2, beyond.size()},
+                 fmt::format("half of the widest strip that two neighbours both saw; {:.2f} to {:.2f}", least,
+                             most));
     }
   }
   add_rates(seen, report);
