@@ -78,7 +78,7 @@ Logs errors_at(const Gaps& gaps, const Logs& logs) {
           sum += (a * b > 0 ? 1 : -1) * log_likelihood(gaps, moved);
         }
       }
-      information(i, j) = -sum / (4 * h * h);
+      information(i, j) = std::isfinite(sum) ? -sum / (4 * h * h) : 0;
     }
   }
   // A number without influence (no single misses at all) has no curvature: it must not spoil the others.

@@ -9,20 +9,6 @@ namespace {
 
 using world::Vector2d;
 
-constexpr double for_speed = 0.1;  // [s] of sightings that tell it
-
-// Where the object of the track would be now, going on as it did.
-Vector2d foretold(const Track& track, double time, double inertia) {
-  const Sighting& last = track.sightings.back();
-  const Sighting* before = &last;
-  for (std::size_t i = track.sightings.size(); i-- > 0 && last.time - track.sightings[i].time < for_speed;) {
-    before = &track.sightings[i];
-  }
-  if (before == &last) return last.position;
-  const Vector2d speed = (last.position - before->position) / (last.time - before->time);
-  return last.position + speed * std::min(time - last.time, inertia);
-}
-
 // A contradicted track is the object nevertheless when it is long and seldom contradicted: two cameras see a
 // ball in flight at two places.
 constexpr std::size_t brief = 60;  // [images]
@@ -67,6 +53,16 @@ class Whereabouts {
 
 }  // namespace
 
+Vector2d velocity_before(const Track& track, std::size_t i) {
+  constexpr double for_speed = 0.1;  // [s]
+  const Sighting& last = track.sightings[i];
+  std::size_t first = i;
+  while (first > 0 && last.time - track.sightings[first - 1].time < for_speed) --first;
+  if (first == i) return Vector2d::Zero();
+  const Sighting& before = track.sightings[first];
+  return (last.position - before.position) / (last.time - before.time);
+}
+
 void Linker::add(const std::vector<Sighting>& sightings) {
   if (sightings.empty()) return;
   const double now = sightings.front().time;
@@ -82,8 +78,10 @@ void Linker::add(const std::vector<Sighting>& sightings) {
   };
   std::vector<Pair> pairs;
   for (std::size_t t = 0; t < active_.size(); ++t) {
-    const Vector2d expected = foretold(active_[t], now, gate_.inertia);
     const double unseen = now - active_[t].end();
+    const std::size_t last = active_[t].sightings.size() - 1;
+    const Vector2d expected = active_[t].sightings[last].position +
+                              velocity_before(active_[t], last) * std::min(unseen, gate_.inertia);
     const double gate = gate_.slack + std::min(gate_.speed * unseen, gate_.reach) + gate_.drift * unseen;
     for (std::size_t s = 0; s < sightings.size(); ++s) {
       const double distance = (sightings[s].position - expected).norm();

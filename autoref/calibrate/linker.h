@@ -41,6 +41,10 @@ struct Gate {
 inline constexpr Gate ball_gate{0.05, 10, 0.5, 0.5, 2, 4};  // kicks up to 10 m/s; rolls on when unseen
 inline constexpr Gate robot_gate{0.05, 5, 0.5, 0.5, 0.2, 4};
 
+/// Mean velocity [m/s] in the 0.1 s up to sighting number `i` of the track; zero when nothing else was seen
+/// then.
+world::Vector2d velocity_before(const Track& track, std::size_t i);
+
 /// Makes tracks of the sightings of one kind of object in one camera, nearest first.
 class Linker {
  public:

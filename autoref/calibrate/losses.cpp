@@ -33,7 +33,8 @@ bool stray_at(const Observations& seen, std::size_t camera, std::uint32_t image,
 }
 
 // Counts the gaps of a track. From each sighting that counts, the images are followed up to the next one; a
-// gap that comes to a place that does not count stays open there, so long gaps count as well as short ones.
+// gap stays open where it comes to a place that does not count, and when the object, going on half as fast
+// again, could have left the camera's view. So long gaps count as well as short ones.
 //
 // counts(place, time): the object should be seen there; otherwise(image, place): it was, under another name.
 void count_gaps(const CameraImages& camera, const Track& track, auto&& counts, auto&& otherwise, Gaps& gaps) {
@@ -42,12 +43,16 @@ void count_gaps(const CameraImages& camera, const Track& track, auto&& counts, a
     const Sighting& a = all[i - 1];
     const Sighting& b = all[i];
     if (b.time - a.time > longest || !counts(a.position, a.time)) continue;
+    if (camera.inside(b.position) <= 0) continue;  // it may come from outside, or be another one
+    const double speed = 1.5 * velocity_before(track, i - 1).norm() + 0.2;
+    const double seen_until = a.time + std::max(camera.inside(a.position) / speed, 0.0);
     std::size_t missed = 0;
     bool open = false;
     for (std::uint32_t image = a.image + 1; image <= b.image && !open; ++image) {
       const double time = camera.times[image];
       const Vector2d place = between(a, b, time);
-      if (!counts(place, time)) {
+      const bool next = image == a.image + 1 && image == b.image;  // nothing missed: nothing to doubt
+      if (!counts(place, time) || (time > seen_until && !next)) {
         open = true;
       } else if (image < b.image && otherwise(image, place)) {
         gaps.add(missed);
@@ -106,11 +111,11 @@ void add_losses(const Observations& seen, Report& report) {
     };
     count_gaps(
         camera, track,
-        [&](const Vector2d& place, double time) { return camera.sees_well(place) && !covered(place, time); },
+        [&](const Vector2d& place, double time) { return camera.inside(place) > 0 && !covered(place, time); },
         never, ball);
     count_gaps(
         camera, track,
-        [&](const Vector2d& place, double time) { return camera.sees_well(place) && covered(place, time); },
+        [&](const Vector2d& place, double time) { return camera.inside(place) > 0 && covered(place, time); },
         never, hidden);
   }
   report_gaps("ball", ball, report);
@@ -125,7 +130,7 @@ void add_losses(const Observations& seen, Report& report) {
     for (const Track& track : robot.tracks) {
       const CameraImages& camera = seen.cameras[track.camera];
       count_gaps(
-          camera, track, [&](const Vector2d& place, double) { return camera.sees_well(place); },
+          camera, track, [&](const Vector2d& place, double) { return camera.inside(place) > 0; },
           [&](std::uint32_t image, const Vector2d& place) {
             return stray_at(seen, track.camera, image, robot.id.team, place);
           },

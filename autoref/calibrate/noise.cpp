@@ -16,12 +16,23 @@ constexpr std::size_t enough = 100;
 // (autocorrelations -3/4, 3/10, -1/20 make 1 + 2 sum rho^2 = 2.3), and x and y are counted apart.
 constexpr double repetition = 2.3;
 
-// What motion of robots adds even to a median: 3 % in driven games of the simulator (README).
+// What motion of robots adds even to a median (README).
 constexpr double motion_left = 0.02;
+
+enum class Kind { Resting, Across, Along, Turning };
+
+struct Row {
+  Kind kind;
+  const char* name;
+};
+constexpr std::array<Row, 4> rows = {{{Kind::Resting, "  resting"},
+                                      {Kind::Across, "  moving, across the way"},
+                                      {Kind::Along, "  moving, along it (not counted)"},
+                                      {Kind::Turning, "  turning"}}};
 
 struct Sample {
   std::size_t camera;
-  bool moving;
+  Kind kind;
   double value;
 };
 
@@ -40,12 +51,16 @@ void add_positions(const Track& track, const Observations& seen, bool is_ball, s
     if (span > longest_span) continue;
     if (is_ball && seen.robot_near(all[i + 1].position, all[i + 1].time, contact)) continue;
     const std::array<double, 4> times = {all[i].time, all[i + 1].time, all[i + 2].time, all[i + 3].time};
-    const bool moving = (all[i + 3].position - all[i].position).norm() > still * span + 0.002;
+    const world::Vector2d way = all[i + 3].position - all[i].position;
+    const bool moving = way.norm() > still * span + 0.002;
+    world::Vector2d difference;
     for (const int axis : {0, 1}) {
-      const double value = third_difference(times, {all[i].position[axis], all[i + 1].position[axis],
-                                                    all[i + 2].position[axis], all[i + 3].position[axis]});
-      out.push_back({track.camera, moving, value});
+      difference[axis] = third_difference(times, {all[i].position[axis], all[i + 1].position[axis],
+                                                  all[i + 2].position[axis], all[i + 3].position[axis]});
     }
+    if (moving) difference = world::rotated(difference, -world::angle_of(way));
+    out.push_back({track.camera, moving ? Kind::Along : Kind::Resting, difference.x()});
+    out.push_back({track.camera, moving ? Kind::Across : Kind::Resting, difference.y()});
   }
 }
 
@@ -61,37 +76,44 @@ void add_orientations(const Track& track, std::vector<Sample>& out) {
                          : angles[k - 1] + world::wrap_angle(all[i + k].orientation - angles[k - 1]);
     }
     const double value = third_difference(times, angles);
-    if (std::isfinite(value)) out.push_back({track.camera, std::abs(angles[3] - angles[0]) > 0.02, value});
+    const bool turning = std::abs(angles[3] - angles[0]) > 0.02;
+    if (std::isfinite(value)) out.push_back({track.camera, turning ? Kind::Turning : Kind::Resting, value});
   }
 }
 
 double report_one(const std::vector<Sample>& samples, const Observations& seen, std::string_view key,
                   const std::string& name, const std::string& unit, double otherwise, Report& report) {
-  if (samples.size() < enough) {
-    report.lack(key, name,
-                fmt::format("too few: {} differences; at least {} are needed", samples.size(), enough));
-    return otherwise;
-  }
   const auto estimate = [](std::vector<double> values) {
     Estimate e = spread(values, repetition);
     e.error = std::hypot(e.error, motion_left * e.value);
     return e;
   };
-  const Estimate all = estimate(select(samples, [](const Sample&) { return true; }));
+  // Along the way errors of the time of capture add to the noise: up to four times as much in a real log.
+  const auto counts = [](const Sample& s) { return s.kind != Kind::Along; };
+  std::vector<double> counted = select(samples, counts);
+  if (counted.size() < enough) {
+    report.lack(key, name,
+                fmt::format("too few: {} differences; at least {} are needed", counted.size(), enough));
+    return otherwise;
+  }
+  const Estimate all = estimate(std::move(counted));
   report.add(key, name, unit, all, "robust spread of third differences");
-  for (const bool moving : {false, true}) {
-    std::vector<double> part = select(samples, [&](const Sample& s) { return s.moving == moving; });
+  double in_motion = all.value;
+  for (const Row& row : rows) {
+    std::vector<double> part = select(samples, [&](const Sample& s) { return s.kind == row.kind; });
     if (part.size() < enough) continue;
-    report.tell(fmt::format("  {}", moving ? "moving" : "resting"), unit, estimate(std::move(part)),
-                "the same");
+    const Estimate found = estimate(std::move(part));
+    report.tell(row.name, unit, found, "the same");
+    if (row.kind == Kind::Along) in_motion = std::max(in_motion, found.value);
   }
   for (std::size_t camera = 0; camera < seen.cameras.size() && seen.cameras.size() > 1; ++camera) {
-    std::vector<double> part = select(samples, [&](const Sample& s) { return s.camera == camera; });
+    std::vector<double> part =
+        select(samples, [&](const Sample& s) { return counts(s) && s.camera == camera; });
     if (part.size() < enough) continue;
     report.tell(fmt::format("  camera {}", seen.cameras[camera].id), unit, estimate(std::move(part)),
                 "the same");
   }
-  return all.value;
+  return in_motion;
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ void append(std::vector<Track>& to, std::vector<Track> from) {
 
 }  // namespace
 
-bool CameraImages::sees_well(const Vector2d& point) const {
-  return (point.array() > low.array() + edge).all() && (point.array() < high.array() - edge).all();
+double CameraImages::inside(const Vector2d& point) const {
+  return std::min((point - low).minCoeff(), (high - point).minCoeff()) - edge;
 }
 
 std::optional<Vector2d> Observations::position_of(const Robot& robot, double time) {

@@ -21,8 +21,8 @@ struct CameraImages {
   world::Vector2d high = world::Vector2d::Zero();  ///< [m] greatest
 
   double seconds() const { return times.empty() ? 0 : times.back() - times.front(); }
-  /// Inside the part of its view that is not its edge.
-  bool sees_well(const world::Vector2d& point) const;
+  /// How far the point is inside the part of its view that is not its edge [m]; negative outside.
+  double inside(const world::Vector2d& point) const;
 };
 
 /// A place at an instant.

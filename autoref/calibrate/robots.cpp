@@ -50,13 +50,13 @@ std::optional<Motion> parabola(std::span<const double> times, std::span<const do
 // What was seen of one axis: forward, sideways or turning.
 struct Axis {
   std::vector<double> speeds, speeding_up, braking;
-  double speed_noise = 0;  // of the last parabola; all are much alike
+  double speed_noise = 0;  // sums of the parabolas'
   double acceleration_noise = 0;
 
   void add(const Motion& motion, double slowest) {
-    speed_noise = motion.speed_noise;
-    acceleration_noise = motion.acceleration_noise;
     if (std::abs(motion.speed) < slowest) return;
+    speed_noise += motion.speed_noise;
+    acceleration_noise += motion.acceleration_noise;
     speeds.push_back(std::abs(motion.speed));
     (motion.speed * motion.acceleration > 0 ? speeding_up : braking).push_back(std::abs(motion.acceleration));
   }
@@ -129,6 +129,7 @@ void report_one(std::string_view key, const std::string& name, const std::string
 
 void report_axis(const std::string& of_speed, const std::string& of_acceleration, const std::string& of_brake,
                  const std::string& name, const std::string& unit, Axis& axis, double noise, Report& report) {
+  noise /= std::max(static_cast<double>(axis.speeds.size()), 1.0);
   report_one("robots." + of_speed, "robot speed, " + name, unit, axis.speeds, quantile_of_speed,
              noise * axis.speed_noise, report);
   report_one("robots." + of_acceleration, "robot acceleration, " + name, unit + "^2", axis.speeding_up,

@@ -55,7 +55,7 @@ TEST(Preset, IsOneThatTheSimulatorTakes) {
   EXPECT_GE(numbers, 15);
   EXPECT_EQ(realism.vision.cameras, 4);
   EXPECT_NEAR(realism.vision.ball_sigma, 0.0005, 0.00005);
-  EXPECT_NEAR(realism.vision.ball_burst_length, 10, 5);
+  EXPECT_NEAR(realism.vision.ball_burst_length, 10, 3 * report.find("vision.ball_burst_length")->error);
   // The ball here is led by hand: no rolling, no kick; the preset keeps what it is based on.
   EXPECT_EQ(realism.robots.max_kick_speed, engine::realism("measured").robots.max_kick_speed);
 }
