@@ -78,6 +78,9 @@ void Reading::take(const wire::LogRecord& record) {
 
 void Reading::take_vision(const wire::LogRecord& record) {
   if (!vision_.read(record)) throw std::runtime_error("the vision message in it cannot be read");
+  if (listener_.geometry) {
+    if (const auto geometry = vision_.geometry()) listener_.geometry(*geometry);
+  }
   if (!vision_.detection() || !wire::usable(*vision_.detection())) return;
   wire::decode(*vision_.detection(), survey_.epoch, detection_);
 

@@ -53,6 +53,8 @@ struct Listener {
   std::function<void(const world::RefereeMessage&)> message;
   /// All images of one tick.
   std::function<void(std::span<const world::Detection>)> batch;
+  /// A geometry message; of some set-ups each tells of one camera only.
+  std::function<void(const world::Geometry&)> geometry;
 };
 
 /// Plays the whole log. Stops at a damaged record; the count then says where.

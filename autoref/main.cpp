@@ -2,11 +2,12 @@
 #include <iostream>
 #include <string_view>
 
+#include "autoref/calibrate_log.h"
 #include "autoref/replay.h"
 
 int main(int argc, char** argv) {
   using autoref::ReplayOptions;
-  CLI::App app("ssl-autoref: the referee over a recorded game");
+  CLI::App app("ssl-autoref: what can be told of a recorded game: the referee's calls, a realism preset");
   app.require_subcommand(1);
 
   ReplayOptions options;
@@ -25,8 +26,16 @@ int main(int argc, char** argv) {
           "auto: referee for logs of matchday, watch for all others")
       ->transform(CLI::CheckedTransformer(modes).description("{auto,referee,watch}"));
 
-  if (argc > 1 && argv[1][0] != '-' && std::string_view(argv[1]) != "replay") {
-    std::cerr << "ssl-autoref: unknown command '" << argv[1] << "'; known is: replay\n";
+  autoref::CalibrateOptions calibration;
+  CLI::App* calibrate = app.add_subcommand(
+      "calibrate", "measure a league log: noise, bias, losses, ball and robots, as a realism preset");
+  calibrate->add_option("FILE", calibration.file, "the log, .log or .log.gz")->required();
+  calibrate->add_option("--out", calibration.out, "write the preset (TOML) there");
+  calibrate->add_flag("--json", calibration.json, "print JSON instead of a table");
+
+  if (argc > 1 && argv[1][0] != '-' && std::string_view(argv[1]) != "replay" &&
+      std::string_view(argv[1]) != "calibrate") {
+    std::cerr << "ssl-autoref: unknown command '" << argv[1] << "'; known are: replay, calibrate\n";
     return 2;
   }
   try {
@@ -37,6 +46,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
+    if (*calibrate) return autoref::calibrate_log(calibration, std::cout, std::cerr);
     return autoref::replay(options, std::cout, std::cerr);
   } catch (const std::exception& error) {
     std::cerr << "ssl-autoref: " << error.what() << '\n';
