@@ -28,6 +28,7 @@ struct Part {
 // its edges inside the disc, and sectors for the arcs between leaving the disc and coming back.
 Part shared_with_disc(const Polygon& polygon) {
   Part part;
+  if (polygon.size() < 3) return part;
   const auto add_sector = [&](const Vector2d& from, const Vector2d& to) {
     double angle = std::atan2(cross(from, to), from.dot(to));
     constexpr double rounding = 1e-9;  // leaving and coming back at a corner on the circle
