@@ -133,6 +133,26 @@ TEST(FalseBalls, AppearWhereTheRayThroughThemMeetsTheGround) {
   EXPECT_GT(areas.size(), 10U);
 }
 
+TEST(FalseBalls, ScatterAsTheBallDoes) {
+  Params params{.false_ball_rate = 2, .false_ball_shortest = 3, .false_ball_longest = 30};
+  Cameras exact(scene::geometry(), params, 5);
+  params.ball_sigma = 0.0005;
+  Cameras noisy(scene::geometry(), params, 5);
+  double squares = 0;
+  int count = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const auto a = scene::tick(exact, i, scene::ball_at(3, 2)),
+               b = scene::tick(noisy, i, scene::ball_at(3, 2));
+    if (a[0].balls.size() != 1) continue;  // which is which
+    squares += (a[0].balls[0].position - b[0].balls.at(0).position).squaredNorm();
+    ++count;
+  }
+  ASSERT_GT(count, 10);
+  // Chi-square with two degrees of freedom for each.
+  const double found = squares / (params.ball_sigma * params.ball_sigma);
+  EXPECT_NEAR(found, 2 * count, 4 * std::sqrt(4 * count));
+}
+
 TEST(FalseBalls, AreListedByConfidenceAsOthersAre) {
   Cameras cameras(scene::geometry(),
                   Params{.false_ball_rate = 30, .false_ball_shortest = 3, .false_ball_longest = 30}, 5);
