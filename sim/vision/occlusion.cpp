@@ -28,6 +28,7 @@ struct Part {
 // its edges inside the disc, and sectors for the arcs between leaving the disc and coming back.
 Part shared_with_disc(const Polygon& polygon) {
   Part part;
+  if (polygon.size() < 3) return part;
   const auto add_sector = [&](const Vector2d& from, const Vector2d& to) {
     double angle = std::atan2(cross(from, to), from.dot(to));
     constexpr double rounding = 1e-9;  // leaving and coming back at a corner on the circle
@@ -90,15 +91,22 @@ Polygon intersection(Polygon subject, const Polygon& knife) {
   return subject;
 }
 
-// Adds `sign` times what `polygon` and its intersections with those from `next` on hide: inclusion and
+// A polygon with what it hides of the disc.
+struct Cover {
+  Polygon polygon;
+  Part part;
+};
+
+// Adds `sign` times what `cover` and its intersections with those from `others` on hide: inclusion and
 // exclusion. Branches that do not meet the disc end at once.
-void add_hidden(const Polygon& polygon, double sign, std::span<const Polygon> others, Part& hidden) {
-  const Part part = shared_with_disc(polygon);
-  if (part.area <= 0) return;
-  hidden.area += sign * part.area;
-  hidden.moment += sign * part.moment;
+void add_hidden(const Cover& cover, double sign, std::span<const Cover> others, Part& hidden) {
+  if (cover.part.area <= 0) return;
+  hidden.area += sign * cover.part.area;
+  hidden.moment += sign * cover.part.moment;
   for (std::size_t i = 0; i < others.size(); ++i) {
-    add_hidden(intersection(polygon, others[i]), -sign, others.subspan(i + 1), hidden);
+    Polygon common = intersection(cover.polygon, others[i].polygon);
+    const Part part = shared_with_disc(common);
+    add_hidden({std::move(common), part}, -sign, others.subspan(i + 1), hidden);
   }
 }
 
@@ -121,6 +129,16 @@ struct SightPlane {
     const Vector3d way(point.x() - camera.x(), point.y() - camera.y(), height - camera.z());
     const double scale = distance / (way.dot(sight) * disc_radius);
     return {way.dot(right) * scale, way.dot(up) * scale};
+  }
+  // Whether an upright cylinder comes near the ball's disc: its axis as it is seen, with room for its radius
+  // as large as that can be seen, at the nearest point of its top.
+  bool may_meet(const Vector2d& axis, double radius, double height) const {
+    const Vector3d top(axis.x() - camera.x(), axis.y() - camera.y(), height - camera.z());
+    const double nearest = top.dot(sight) - radius;
+    if (nearest <= 0) return true;
+    const double room = 1 + radius * distance / (nearest * disc_radius);
+    const Vector2d nowhere = Vector2d::Zero();
+    return world::distance({seen(axis, 0), seen(axis, height)}, nowhere) < room;
   }
 };
 
@@ -192,12 +210,13 @@ BallView Occlusion::view(const Vector3d& camera, const Vector3d& ball,
   const double slack = 2 * ball_radius_ * (1 + foot_distance / depth);  // half of it: the disc on the carpet
   const double reach = radius_ + slack + (foot_distance + slack) * height_ / (camera.z() - height_);
 
-  std::vector<Polygon> silhouettes;
+  std::vector<Cover> covers;
   std::optional<SightPlane> plane;
   for (const truth::Robot& robot : robots) {
     if ((robot.position - ball.head<2>()).squaredNorm() > reach * reach) continue;
     if (ball_in_front(camera, ball, robot)) continue;
     if (!plane) plane.emplace(camera, ball, ball_radius_);
+    if (!plane->may_meet(robot.position, radius_, height_)) continue;
     std::array<Vector2d, facets + 1> base;
     const Vector2d forward = world::direction(robot.orientation);
     for (std::size_t i = 0; i < base.size(); ++i) {
@@ -205,11 +224,17 @@ BallView Occlusion::view(const Vector3d& camera, const Vector3d& ball,
       base[i] = robot.position + Vector2d(forward.x() * corner.x() - forward.y() * corner.y(),
                                           forward.y() * corner.x() + forward.x() * corner.y());
     }
-    silhouettes.push_back(silhouette(base, height_, *plane));
+    Polygon polygon = silhouette(base, height_, *plane);
+    const Part part = shared_with_disc(polygon);
+    if (part.area >= std::numbers::pi) {  // all of it: the others do not matter
+      view.share = 0;
+      return view;
+    }
+    if (part.area > 0) covers.push_back({std::move(polygon), part});
   }
   Part hidden;
-  for (std::size_t i = 0; i < silhouettes.size(); ++i) {
-    add_hidden(silhouettes[i], 1, std::span(silhouettes).subspan(i + 1), hidden);
+  for (std::size_t i = 0; i < covers.size(); ++i) {
+    add_hidden(covers[i], 1, std::span(covers).subspan(i + 1), hidden);
   }
   if (hidden.area <= 0) return view;
   const double visible = std::numbers::pi - hidden.area;

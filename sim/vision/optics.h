@@ -29,7 +29,7 @@ double ball_area(const world::Camera& camera, const world::Vector3d& ball, doubl
 double ball_confidence(std::uint32_t area);
 
 /// The confidence of a robot pattern that fits: SSL-Vision's g / (g + 0.05) with a fit g of 1. A league log
-/// of 2022 has 0.9519 to 0.9524.
+/// of 2022 has 0.9509 to 0.9524.
 inline constexpr double robot_confidence = 1 / 1.05;
 
 /// Where the ball's centre appears on the ground: the ray from the camera through it, followed down.

@@ -121,14 +121,14 @@ void encode_field(const world::Field& field, proto::SSL_GeometryFieldSize& out) 
   }
 }
 
-// Looking straight down: half a turn about x, so that t = -R C. Optics are ours and plain: nothing here
-// projects pixels, readers use the derived position (reference "protocol", 2.1).
+// Looking straight down: half a turn about x, so that t = -R C; a pinhole whose principal point is the middle
+// of the image (reference "protocol", 2.1).
 void encode_camera(const world::Camera& camera, proto::SSL_GeometryCameraCalibration& out) {
   const Vector3d& c = camera.position;
   out.set_camera_id(static_cast<std::uint32_t>(camera.id));
-  out.set_focal_length(1000);
-  out.set_principal_point_x(640);
-  out.set_principal_point_y(512);
+  out.set_focal_length(static_cast<float>(camera.focal_length));
+  out.set_principal_point_x(static_cast<float>(camera.image_width) / 2);
+  out.set_principal_point_y(static_cast<float>(camera.image_height) / 2);
   out.set_distortion(0);
   out.set_q0(1);
   out.set_q1(0);
@@ -140,8 +140,20 @@ void encode_camera(const world::Camera& camera, proto::SSL_GeometryCameraCalibra
   out.set_derived_camera_world_tx(to_mm(c.x()));
   out.set_derived_camera_world_ty(to_mm(c.y()));
   out.set_derived_camera_world_tz(to_mm(c.z()));
-  out.set_pixel_image_width(1280);
-  out.set_pixel_image_height(1024);
+  out.set_pixel_image_width(static_cast<std::uint32_t>(camera.image_width));
+  out.set_pixel_image_height(static_cast<std::uint32_t>(camera.image_height));
+}
+
+// Optics that make sense replace the defaults: 1 to 100 000 px.
+void decode_optics(const proto::SSL_GeometryCameraCalibration& calibration, world::Camera& camera) {
+  constexpr float largest = 100'000;
+  const auto take_pixels = [](std::uint32_t pixels, int& out) {
+    if (pixels >= 1 && pixels <= static_cast<std::uint32_t>(largest)) out = static_cast<int>(pixels);
+  };
+  const float focal_length = calibration.focal_length();
+  if (focal_length >= 1 && focal_length <= largest) camera.focal_length = static_cast<double>(focal_length);
+  take_pixels(calibration.pixel_image_width(), camera.image_width);
+  take_pixels(calibration.pixel_image_height(), camera.image_height);
 }
 
 std::optional<world::Camera> decode_camera(const proto::SSL_GeometryCameraCalibration& calibration) {
@@ -160,7 +172,9 @@ std::optional<world::Camera> decode_camera(const proto::SSL_GeometryCameraCalibr
   }
   if (!(position.cwiseAbs().maxCoeff() <= from_mm(max_coordinate_mm)) || !position.allFinite())
     return std::nullopt;
-  return world::Camera{static_cast<int>(calibration.camera_id()), position};
+  world::Camera camera{static_cast<int>(calibration.camera_id()), position};
+  decode_optics(calibration, camera);
+  return camera;
 }
 
 template <class Marking>

@@ -8,6 +8,8 @@
 namespace world {
 namespace {
 
+constexpr double pattern_height = 0.15;  // [m] of a robot: the laws' limit
+
 // The same place seen with the goal's centre as origin and x pointing into the field.
 Vector2d from_goal(const Field& field, Side side, const Vector2d& point) {
   return {field.half_length() - sign(side) * point.x(), point.y()};
@@ -31,12 +33,20 @@ std::vector<Camera> camera_grid(const Field& field, int count, double height) {
   const auto middle = [](double length, int part, int parts) {
     return length * (2 * part + 1 - parts) / (2 * parts);
   };
+  // The lens: as far as a robot's pattern at the wall behind its part can be seen, at most the default.
+  const auto reach = [&](double length, int parts) { return length / (2 * parts) + field.boundary_width; };
+  const double depth = height - std::min(pattern_height, height / 2);
+  const Camera usual;
+  const double fits = std::min(usual.image_width / 2 * depth / reach(field.length, columns),
+                               usual.image_height / 2 * depth / reach(field.width, rows));
+  const double focal_length = std::min(usual.focal_length, std::floor(fits));
   std::vector<Camera> cameras;
   for (int column = 0; column < columns; ++column) {
     for (int row = 0; row < rows; ++row) {
       Camera& camera = cameras.emplace_back();
       camera.id = static_cast<int>(cameras.size()) - 1;
       camera.position = {middle(field.length, column, columns), middle(field.width, row, rows), height};
+      camera.focal_length = focal_length;
     }
   }
   return cameras;

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "tests/sim/vision/scene.h"
+
 namespace {
 
 using vision::Cameras;
@@ -12,36 +14,10 @@ using vision::Params;
 using world::Vector2d;
 using world::Vector3d;
 
-world::Geometry geometry() {
-  world::Geometry geometry;
-  geometry.cameras = world::quarter_cameras(geometry.field);
-  return geometry;
-}
-
-truth::Ball ball_at(double x, double y, double height = 0) {
-  truth::Ball ball;
-  ball.position = {x, y, 0.0215 + height};
-  return ball;
-}
-
-truth::Robot robot_at(double x, double y, double orientation, int number = 3) {
-  truth::Robot robot;
-  robot.id = {world::Team::Blue, static_cast<std::uint8_t>(number)};
-  robot.position = {x, y};
-  robot.orientation = orientation;
-  return robot;
-}
-
-// One tick with everything standing still; what is delivered at its end.
-std::vector<world::Detection> tick(Cameras& cameras, std::int64_t number, const truth::Ball& ball,
-                                   const std::vector<truth::Robot>& robots = {}) {
-  cameras.begin_tick();
-  for (int substep = 1; substep <= 4; ++substep) {
-    cameras.capture(substep, world::tick_time(number, substep), ball, robots);
-  }
-  const auto delivered = cameras.delivered();
-  return {delivered.begin(), delivered.end()};
-}
+using scene::ball_at;
+using scene::geometry;
+using scene::robot_at;
+using scene::tick;
 
 TEST(Cameras, EachCapturesAfterItsOwnSubstep) {
   Cameras cameras(geometry(), Params{}, 1);
@@ -228,9 +204,56 @@ TEST(Cameras, RefuseNonsense) {
   world::Geometry twice = geometry();
   twice.cameras[1].id = 0;
   EXPECT_THROW(Cameras(twice, Params{}, 1), std::invalid_argument);
-  EXPECT_THROW(Cameras(geometry(), Params{.ball_missing = 1.5}, 1), std::invalid_argument);
-  EXPECT_THROW(Cameras(geometry(), Params{.robot_sigma = -1}, 1), std::invalid_argument);
-  EXPECT_THROW(Cameras(geometry(), Params{.delay = -1}, 1), std::invalid_argument);
+  world::Geometry blind = geometry();
+  blind.cameras[2].focal_length = 0;
+  EXPECT_THROW(Cameras(blind, Params{}, 1), std::invalid_argument);
+  blind = geometry();
+  blind.cameras[2].image_width = 0;
+  EXPECT_THROW(Cameras(blind, Params{}, 1), std::invalid_argument);
+  world::RobotSpecs body;
+  body.center_to_dribbler = 0.1;  // outside the radius
+  EXPECT_THROW(Cameras(geometry(), Params{}, 1, body), std::invalid_argument);
+  body = {};
+  body.height = 3;  // too near the cameras
+  EXPECT_THROW(Cameras(geometry(), Params{}, 1, body), std::invalid_argument);
+
+  const double nothing = std::nan("");
+  for (const Params& params : {Params{.overlap = -0.1},
+                               Params{.delay = -1},
+                               Params{.delay = 61},
+                               Params{.ball_sigma = nothing},
+                               Params{.robot_sigma = -1},
+                               Params{.orientation_sigma = INFINITY},
+                               Params{.bias_sigma = -1},
+                               Params{.area_sigma = nothing},
+                               Params{.ball_missing = 1.5},
+                               Params{.robot_missing = nothing},
+                               Params{.visible_share = 1.1},
+                               Params{.ball_burst_start = -0.1},
+                               Params{.ball_burst_length = 0.5},
+                               Params{.robot_burst_start = 2},
+                               Params{.robot_burst_length = 0},
+                               Params{.regions = -1},
+                               Params{.region_radius = 0},
+                               Params{.region_missing = 1.1},
+                               Params{.region_offset = -0.1},
+                               Params{.false_ball_rate = 61},
+                               Params{.false_ball_shortest = 0},
+                               Params{.false_ball_longest = 1001},
+                               Params{.misread_id = -1},
+                               Params{.unread_id = nothing},
+                               Params{.false_ball_shortest = 9, .false_ball_longest = 8}}) {
+    EXPECT_THROW(Cameras(geometry(), params, 1), std::invalid_argument);
+  }
+}
+
+TEST(Cameras, SayWhatIsWrong) {
+  try {
+    Cameras(geometry(), Params{.false_ball_shortest = 9, .false_ball_longest = 8}, 1);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "vision: false_ball_shortest must be at most false_ball_longest, 8, is 9");
+  }
 }
 
 }  // namespace

@@ -23,6 +23,9 @@ world::Geometry division_a() {
   geometry.field.penalty_mark_distance = 8;
   geometry.field.defense_area = {.shape = Shape::Rectangle, .depth = 1.8, .width = 3.6};
   geometry.cameras = world::quarter_cameras(geometry.field);
+  geometry.cameras[2].focal_length = 1449.25;  // a float
+  geometry.cameras[2].image_width = 2448;
+  geometry.cameras[2].image_height = 2048;
   return geometry;
 }
 
@@ -62,6 +65,9 @@ void expect_same(const world::Geometry& a, const world::Geometry& b) {
   for (std::size_t i = 0; i < a.cameras.size(); ++i) {
     EXPECT_EQ(a.cameras[i].id, b.cameras[i].id);
     EXPECT_LT((a.cameras[i].position - b.cameras[i].position).norm(), exact);
+    EXPECT_EQ(a.cameras[i].focal_length, b.cameras[i].focal_length);
+    EXPECT_EQ(a.cameras[i].image_width, b.cameras[i].image_width);
+    EXPECT_EQ(a.cameras[i].image_height, b.cameras[i].image_height);
   }
   EXPECT_EQ(a.ball_slide_deceleration, b.ball_slide_deceleration);
   EXPECT_EQ(a.ball_roll_deceleration, b.ball_roll_deceleration);
@@ -215,6 +221,30 @@ TEST(Geometry, EncodedCameraAgreesWithItself) {
   const std::optional<world::Geometry> by_rotation = wire::decode(message);
   ASSERT_EQ(by_rotation->cameras.size(), 4U);
   expect_same(*by_position, *by_rotation);
+}
+
+TEST(Geometry, DescribesTheCamerasOptics) {
+  world::Geometry geometry = year_2015();
+  geometry.cameras[1].focal_length = 612.5;
+  geometry.cameras[1].image_width = 1001;
+  geometry.cameras[1].image_height = 600;
+  const wire::proto::SSL_GeometryCameraCalibration calibration = encoded(geometry).calib(1);
+  EXPECT_EQ(calibration.focal_length(), 612.5F);
+  EXPECT_EQ(calibration.principal_point_x(), 500.5F);
+  EXPECT_EQ(calibration.principal_point_y(), 300.0F);
+  EXPECT_EQ(calibration.distortion(), 0.0F);
+  EXPECT_EQ(calibration.pixel_image_width(), 1001U);
+  EXPECT_EQ(calibration.pixel_image_height(), 600U);
+}
+
+TEST(Geometry, KeepsTheOpticsThatMakeNoSenseOutOfACamera) {
+  const std::optional<world::Geometry> geometry = wire::decode(parse(size_9_by_6 + R"(} calib {
+      camera_id: 0 focal_length: nan pixel_image_width: 0 pixel_image_height: 4000000000
+      derived_camera_world_tx: 0 derived_camera_world_ty: 0 derived_camera_world_tz: 4000 })"));
+  ASSERT_EQ(geometry->cameras.size(), 1U);
+  EXPECT_EQ(geometry->cameras[0].focal_length, world::Camera{}.focal_length);
+  EXPECT_EQ(geometry->cameras[0].image_width, world::Camera{}.image_width);
+  EXPECT_EQ(geometry->cameras[0].image_height, world::Camera{}.image_height);
 }
 
 TEST(Geometry, RefusesAFieldWithoutASensibleSize) {

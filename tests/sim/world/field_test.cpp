@@ -86,5 +86,11 @@ TEST(QuarterCameras, StandAboveTheCentresOfTheQuarters) {
   EXPECT_EQ(sum, Vector3d(0, 0, 16));
 }
 
+TEST(CameraGrid, TakesAWiderLensWhereItsPartWouldNotFitTheImage) {
+  EXPECT_EQ(quarter_cameras(Field{})[0].focal_length, 800.0);
+  // One camera at 4 m: patterns at 0.15 m, walls 5.2 m away at the image's edge of 640 px: 640 x 3.85 / 5.2.
+  EXPECT_EQ(camera_grid(Field{}, 1, 4)[0].focal_length, 473.0);
+}
+
 }  // namespace
 }  // namespace world
