@@ -2,136 +2,23 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/physics/fixtures.h"
-#include "sim/physics/hull.h"
-#include "tests/sim/physics/arena.h"
+#include "tests/sim/physics/sweeps.h"
 
 namespace {
 
 using world::Vector2d;
-
-// How a sweep went: the deepest overlap seen at the end of a substep [m], and shots that came out on the
-// other side.
-struct Sweep {
-  double worst = 0;
-  int through = 0;
-  int shots = 0;
-};
-
-constexpr int phases = 16;
-
-// A phase shifts the start by a part of what the ball covers in one substep.
-Vector2d start(const Vector2d& target, const Vector2d& direction, double distance, double speed, int phase) {
-  return target - direction * (distance + speed * world::substep_length * phase / phases);
-}
-
-// @param towards  speed of the robot towards the shot [m/s]
-Sweep shots_at_robot(double speed, double towards) {
-  Sweep sweep;
-  for (int side = 0; side < 24; ++side) {        // where on the hull
-    for (int slant = -2; slant <= 2; ++slant) {  // how far off its centre: up to 50 mm
-      for (int phase = 0; phase < phases; ++phase) {
-        const Vector2d direction = world::direction(side * 2 * M_PI / 24);
-        const Vector2d across{-direction.y(), direction.x()};
-        Arena arena({{direction * towards * 0.025, 0}});  // they meet near the origin
-        arena.world.set_motion(0, -direction * towards, 0);
-        world::RobotCommand on;
-        on.velocity_local = -direction * towards;
-        arena.world.set_command(0, on);
-        arena.shoot(start(across * 0.025 * slant, direction, 0.3, speed, phase), direction * speed);
-        bool passed = false;
-        for (int i = 0; i < 36; ++i) {
-          arena.step();
-          const Vector2d ball = arena.ball().position.head<2>();
-          const truth::Robot robot = arena.robot(0);
-          const double gap =
-              physics::hull_distance(arena.specs[0], robot.position, robot.orientation, ball) - 0.0215;
-          sweep.worst = std::max(sweep.worst, -gap);
-          // Behind the robot within its width: only through it. (A glance off its side ends up farther out.)
-          const Vector2d from_robot = ball - robot.position;
-          if (from_robot.dot(direction) > 0.08 && std::abs(from_robot.dot(across)) < 0.06) passed = true;
-        }
-        if (passed) ++sweep.through;
-        ++sweep.shots;
-      }
-    }
-  }
-  return sweep;
-}
-
-Sweep shots_at_wall(double speed) {
-  Sweep sweep;
-  const double x = 5.2 - 0.0215, y = 3.7 - 0.0215;
-  for (int angle = 0; angle < 48; ++angle) {
-    for (int phase = 0; phase < phases; ++phase) {
-      Arena arena;
-      const Vector2d direction = world::direction(angle * 2 * M_PI / 48);
-      arena.shoot(start({4.9 * std::copysign(1.0, direction.x()), 3.4 * std::copysign(1.0, direction.y())},
-                        direction, 0.1, speed, phase),
-                  direction * speed);
-      for (int i = 0; i < 60; ++i) {
-        arena.step();
-        const Vector2d ball = arena.ball().position.head<2>();
-        sweep.worst = std::max({sweep.worst, std::abs(ball.x()) - x, std::abs(ball.y()) - y});
-      }
-      const Vector2d ball = arena.ball().position.head<2>();
-      if (std::abs(ball.x()) > 5.2 || std::abs(ball.y()) > 3.7) ++sweep.through;
-      ++sweep.shots;
-    }
-  }
-  return sweep;
-}
-
-// From inside the goal at its back and sides, from in front of it at the posts, from outside at its sides and
-// back.
-Sweep shots_at_goal(double speed) {
-  Sweep sweep;
-  for (int place = 0; place < 9; ++place) {
-    for (int angle = 0; angle < 24; ++angle) {
-      for (int phase = 0; phase < phases; ++phase) {
-        Arena arena;
-        const bool inside = place < 5;
-        const Vector2d from = inside ? Vector2d(4.55, -0.4 + 0.2 * place)
-                                     : Vector2d(4.56 + 0.05 * (place - 5), place % 2 == 0 ? 0.70 : -0.70);
-        const Vector2d direction = world::direction(angle * 2 * M_PI / 24);
-        arena.shoot(from + direction * (speed * world::substep_length * phase / phases * 0.5),
-                    direction * speed);
-        bool left_through_mouth = false;
-        Vector2d before = arena.ball().position.head<2>();
-        for (int i = 0; i < 24; ++i) {
-          arena.step();
-          const Vector2d ball = arena.ball().position.head<2>();
-          if ((before.x() - 4.5) * (ball.x() - 4.5) <= 0) {
-            const double share = (4.5 - before.x()) / (ball.x() - before.x());
-            if (std::abs(before.y() + share * (ball.y() - before.y())) < 0.5) left_through_mouth = true;
-          }
-          before = ball;
-          if (inside && !left_through_mouth && ball.x() > 4.5) {
-            sweep.worst =
-                std::max({sweep.worst, ball.x() - (4.68 - 0.0215), std::abs(ball.y()) - (0.5 - 0.0215)});
-          }
-        }
-        const Vector2d ball = arena.ball().position.head<2>();
-        const bool ends_inside = ball.x() > 4.5 && ball.x() < 4.68 && std::abs(ball.y()) < 0.5;
-        if (inside && !left_through_mouth && !ends_inside) ++sweep.through;
-        if (!inside && ends_inside && !left_through_mouth) ++sweep.through;
-        ++sweep.shots;
-      }
-    }
-  }
-  return sweep;
-}
 
 // Chips at `speed`, raised by `angle`, at a robot, which they may fly over but not through.
 Sweep chips_at_robot(double speed, double angle) {
   Sweep sweep;
   for (int side = 0; side < 8; ++side) {
     for (int distance = 0; distance < 12; ++distance) {  // so that they arrive at every height
-      for (int phase = 0; phase < phases / 4; ++phase) {
+      for (int phase = 0; phase < sweep_phases / 4; ++phase) {
         const Vector2d direction = world::direction(side * 2 * M_PI / 8 + 0.1);
         const Vector2d across{-direction.y(), direction.x()};
         Arena arena({{{0, 0}, 0}});
-        const Vector2d from = start({0, 0}, direction, 0.15 + 0.12 * distance, speed, 4 * phase);
+        const Vector2d from =
+            start({0, 0}, direction, 0.15 + 0.12 * distance, speed, 4 * phase, world::substep_length);
         const Vector2d flat = direction * (speed * std::cos(angle));
         arena.place({from.x(), from.y(), 0.0215}, {flat.x(), flat.y(), speed * std::sin(angle)});
         double highest = 0;
@@ -173,10 +60,11 @@ Sweep chips_at_goal(double speed, double angle) {
   const auto fixtures = physics::fixtures(world::Field{});
   for (int side = 0; side < 24; ++side) {
     for (int distance = 0; distance < 6; ++distance) {
-      for (int phase = 0; phase < phases / 4; ++phase) {
+      for (int phase = 0; phase < sweep_phases / 4; ++phase) {
         Arena arena;
         const Vector2d direction = world::direction(side * 2 * M_PI / 24 + 0.01);
-        const Vector2d from = start({4.6, 0.1}, direction, 0.75 + 0.16 * distance, speed, 4 * phase);
+        const Vector2d from =
+            start({4.6, 0.1}, direction, 0.75 + 0.16 * distance, speed, 4 * phase, world::substep_length);
         if (std::abs(from.x()) > 5.1) continue;  // beyond the wall
         const Vector2d flat = direction * (speed * std::cos(angle));
         arena.place({from.x(), from.y(), 0.0215}, {flat.x(), flat.y(), speed * std::sin(angle)});
@@ -214,9 +102,10 @@ Sweep robot_into(double speed, const Vector2d& at, const std::vector<Vector2d>& 
   const world::Field field;
   const auto fixtures = physics::fixtures(field);
   for (const Vector2d& direction : directions) {
-    for (int phase = 0; phase < phases; ++phase) {
+    for (int phase = 0; phase < sweep_phases; ++phase) {
       const double heading = world::angle_of(-direction);
-      std::vector<Arena::At> places = {{start(at, direction, 0.35, speed, phase), heading}};
+      std::vector<Arena::At> places = {
+          {start(at, direction, 0.35, speed, phase, world::substep_length), heading}};
       places.insert(places.end(), others.begin(), others.end());
       world::RobotSpecs fast;
       fast.max_speed = speed;
@@ -314,11 +203,11 @@ TEST(Tunnelling, NoRobotPassesThroughAWallAGoalOrARobot) {
 }
 
 TEST(Tunnelling, NoRobotPassesThroughAnotherHeadOn) {
-  // Full speed head-on, 6 m/s closing, at eight headings and sixteen phases.
+  // Full speed head-on, 6 m/s closing, at eight headings and sixteen sweep_phases.
   double worst = 0;
   for (int side = 0; side < 8; ++side) {
-    for (int phase = 0; phase < phases; ++phase) {
-      const double shift = 3 * world::substep_length * phase / phases;
+    for (int phase = 0; phase < sweep_phases; ++phase) {
+      const double shift = 3 * world::substep_length * phase / sweep_phases;
       Arena arena({{{-0.3 - shift, 0}, side * M_PI / 4}, {{0.3, 0.02}, M_PI}});
       arena.world.set_motion(0, {3, 0}, 0);
       arena.world.set_motion(1, {-3, 0}, 0);
