@@ -81,8 +81,9 @@ btTransform exact(const BodyPose& pose) {
 btTransform pose(const Vector2d& position, double height, double orientation) {
   btTransform transform;
   transform.setOrigin(bt({position.x(), position.y(), height}));
-  const float half = f(orientation / 2);
-  transform.setRotation(btQuaternion(0, 0, std::sin(half), std::cos(half)));
+  // From the angle itself: half of it as a float would turn a heading of pi by 9e-8.
+  const float c = f(std::cos(orientation)), s = f(std::sin(orientation));
+  transform.setBasis(btMatrix3x3(c, -s, 0, s, c, 0, 0, 0, 1));
   return transform;
 }
 

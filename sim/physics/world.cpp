@@ -101,6 +101,7 @@ struct World::Impl {
   void kick(RobotState& robot, world::Time end, std::vector<truth::Kick>& kicks);
   bool dribble(RobotState& robot);
   void roll_off();
+  void bring_out(const RobotState& robot);
   void ride(const RobotState& robot);
   int bullet_steps(bool near_robot) const;
 
@@ -172,6 +173,23 @@ bool World::Impl::dribble(RobotState& robot) {
   return true;
 }
 
+// A ball that was put into a robot: Bullet knows the way out of what overlaps by less than the ball's
+// diameter, deeper it would press it into the carpet. It is moved, not accelerated. No hit goes so deep
+// (tests: Tunnelling).
+void World::Impl::bring_out(const RobotState& robot) {
+  constexpr double shallow = 0.018;  // [m] of the ball's centre under the hull; Bullet manages up to 0.0215
+  constexpr double speed = 1;        // [m/s] ours
+  if (ball.position.z() > robot.specs.height) return;
+  const Vector2d from_center = ball.position.head<2>() - robot.body.position;
+  const double distance = from_center.norm();
+  if (distance > robot.specs.radius - shallow ||
+      from_center.dot(robot.body.forward) > robot.specs.center_to_dribbler - shallow) {
+    return;
+  }
+  const Vector2d outward = distance > 1e-6 ? Vector2d(from_center / distance) : robot.body.forward;
+  ball.position.head<2>() += outward * (speed * h);
+}
+
 // From a goal's roof over its back.
 void World::Impl::roll_off() { ball.velocity.x() += std::copysign(params.perch.push * h, ball.position.x()); }
 
@@ -236,6 +254,7 @@ void World::substep(world::Time end, std::vector<truth::Contact>& contacts, std:
     impl.drive(robot);
     if (impl.ball_may_be_near(robot)) {
       near_robot = true;
+      impl.bring_out(robot);
       impl.kick(robot, end, kicks);
       if (impl.dribble(robot)) held = true;
       // A fast ball reaches the bar within the substep: 10 m/s cover 42 mm.

@@ -228,6 +228,30 @@ TEST(Actuators, AMisfireUsesUpTheChargeAndMovesNothing) {
   EXPECT_EQ(range.arena.world.state().robots[0].memory.kicks, 1);
 }
 
+TEST(Actuators, WithoutErrorsTheSeedDoesNotMatterToTheBit) {
+  const auto end_of_scrum = [](std::uint64_t seed, const ActuatorErrors& errors) {
+    Arena arena({{{-0.3, 0}, 0}, {{0.3, 0.02}, 3}}, {}, Range::with(errors), seed);
+    arena.world.place_ball(Vector2d(0, 0));
+    for (int i = 0; i < 480; ++i) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        world::RobotCommand command;
+        command.velocity_local = {1, 0.2};
+        command.angular_velocity = std::sin(0.02 * i);
+        command.dribbler_speed = i % 100 < 50 ? 100 : 0;
+        command.kick_speed = i % 100 > 70 ? 2 : 0;
+        command.kick_angle = i % 200 > 100 ? 0.6 : 0;
+        arena.world.set_command(k, command);
+      }
+      arena.step();
+    }
+    EXPECT_FALSE(arena.kicks.empty());
+    return std::make_tuple(arena.ball().position, arena.ball().spin, arena.robot(0).position,
+                           arena.robot(1).orientation);
+  };
+  EXPECT_EQ(end_of_scrum(1, {}), end_of_scrum(2, {}));
+  EXPECT_NE(end_of_scrum(1, all_errors()), end_of_scrum(2, all_errors()));
+}
+
 TEST(Actuators, FactorsChangeWhatIsDriven) {
   ActuatorErrors errors;
   errors.speed_sigma = 0.05;

@@ -7,7 +7,8 @@
 /// 8 m/s (15 % chips), the others driving to random targets; for determinism tests and for timing.
 class Chase {
  public:
-  explicit Chase(std::uint64_t seed) : arena(line_up()), random_(seed, "chase"), targets_(12), until_(12, 0) {
+  explicit Chase(std::uint64_t seed, const physics::Params& params = {})
+      : arena(line_up(), {}, params), random_(seed, "chase"), targets_(12), until_(12, 0) {
     arena.world.place_ball(world::Vector2d(0, 0));
   }
 
@@ -15,7 +16,7 @@ class Chase {
     decide();
     arena.contacts.clear();
     arena.kicks.clear();
-    for (int i = 0; i < world::substeps_per_tick; ++i) arena.step();
+    arena.run(world::tick_length);
   }
 
   Arena arena;

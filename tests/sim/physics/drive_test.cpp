@@ -219,20 +219,6 @@ TEST(Drive, ASlowedRobotTakesOneOverTheFactor) {
   }
 }
 
-TEST(Drive, RobotMirroredByHalfATurnGoesTheMirroredWay) {
-  // Not to the bit: a heading of pi has a sine of 1e-7 in single precision, not 0.
-  Arena one({{{-1, 0.5}, 0.3}}), other({{{1, -0.5}, 0.3 + M_PI}});
-  for (int i = 0; i < 1000; ++i) {
-    const world::RobotCommand command =
-        go(2 * std::sin(i * 0.01), std::cos(i * 0.03), 3 * std::sin(i * 0.02));
-    one.world.set_command(0, command);
-    other.world.set_command(0, command);
-    one.step();
-    other.step();
-    ASSERT_LT((one.robot(0).position + other.robot(0).position).norm(), 1e-4) << i;
-  }
-}
-
 TEST(Drive, PushesABlockedRobotWithNoMoreThanItsAcceleration) {
   // 3 m/s^2 of 2.5 kg against a wall: the reported speed stays below one substep's change.
   Arena arena({{{5.0, 0}, 0}});

@@ -106,6 +106,101 @@ TEST(Placement, ABallPutIntoARobotGainsNoEnergy) {
   }
 }
 
+// Where a ball may have to be put: in the open, in a goal mouth, before a post, in a corner of the field and
+// in one of the walls.
+const Vector2d awkward_spots[] = {{0, 0}, {4.45, 0}, {-4.45, 0}, {4.4, 0.5}, {4.4, 2.9}, {5.1, 3.6}};
+
+// `count` robots crowded round a spot without overlapping each other, at least one of them over it, inside
+// the walls; they stand off goals' sides and backs.
+std::vector<Arena::At> crowd(const Vector2d& spot, int count) {
+  std::vector<Arena::At> all;
+  const world::Field field;
+  const auto fixtures = physics::fixtures(field);
+  for (int ring = 0; static_cast<int>(all.size()) < count; ++ring) {
+    for (int i = 0; i < std::max(6 * ring, 1) && static_cast<int>(all.size()) < count; ++i) {
+      const Vector2d place = spot + 0.19 * ring * world::direction(i * M_PI / (3 * std::max(ring, 1)) + 0.3);
+      bool free = std::abs(place.x()) < 5.1 && std::abs(place.y()) < 3.6;
+      for (const auto& fixture : fixtures) {
+        free = free && (fixture.min.z() > 0.15 || physics::plane_distance(fixture, place) > 0.091);
+      }
+      if (free) all.push_back({place, 0.7 * static_cast<double>(all.size())});
+    }
+  }
+  return all;
+}
+
+// The ball is put on the spot among six robots at rest, with or without moving them out of the way first.
+// Nobody is commanded to move, so the drives only brake: whatever kinetic energy there is comes from pushing
+// the ball out of a robot, which is to add none. Bullet's own limit is the speed at which it separates an
+// overlap; what is seen is a ball that rolls away at less than 0.3 m/s and robots that stay under 1 cm/s.
+TEST(Placement, SixRobotsOnAnySpotAddNoEnergy) {
+  for (const Vector2d& spot : awkward_spots) {
+    for (const bool pushed : {false, true}) {
+      Arena arena(crowd(spot, 6));
+      arena.run(0.2);
+      ASSERT_LT(kinetic_energy(arena), 1e-9);
+      if (pushed) {
+        arena.world.push_robots_out(spot, 0.15);
+        expect_orderly(arena, spot, 0.15);
+      }
+      arena.world.place_ball(spot);
+      double ball = 0, robots = 0;
+      for (int i = 0; i < 480; ++i) {
+        arena.step();
+        ball = std::max(ball, arena.ball().velocity.norm());
+        arena.world.read_robots(arena.robots);
+        for (const truth::Robot& robot : arena.robots) robots = std::max(robots, robot.velocity.norm());
+      }
+      EXPECT_LT(ball, pushed ? 1e-9 : 0.3) << spot.transpose();
+      EXPECT_LT(robots, pushed ? 1e-9 : 0.01) << spot.transpose();
+      if (!pushed) {
+        EXPECT_GT(arena.world.distance_to_robots(arena.ball().position.head<2>()), 0.0215 - 0.002);
+      }
+      EXPECT_LT(std::abs(arena.ball().position.x()), 5.2);
+      EXPECT_LT(std::abs(arena.ball().position.y()), 3.7);
+    }
+  }
+}
+
+// The same with robots that move and fight for the ball: the drives may put in what they can, force times
+// speed, and nobody gets faster than its drive makes it.
+TEST(Placement, AResetInTheMiddleOfAScrumAddsNoMoreThanTheDrives) {
+  for (const Vector2d& spot : awkward_spots) {
+    Arena arena(crowd(spot, 6));
+    for (std::size_t i = 0; i < 6; ++i) {
+      world::RobotCommand command;
+      command.velocity_local = {i % 2 == 0 ? 1.0 : -0.5, 0.3};
+      command.angular_velocity = i % 3 == 0 ? 3 : -2;
+      arena.world.set_command(i, command);
+    }
+    arena.run(0.5);
+    arena.world.place_ball(spot);
+    const double mass = 2.5, most_force = mass * 6;
+    double before = kinetic_energy(arena);
+    for (int i = 0; i < 240; ++i) {
+      double power = 0;
+      for (const truth::Robot& robot : arena.robots) power += most_force * (robot.velocity.norm() + 0.025);
+      arena.step();
+      const double now = kinetic_energy(arena);
+      ASSERT_LT(now, before + power * world::substep_length) << i;
+      ASSERT_LT(arena.ball().velocity.norm(), 3);  // pushed by robots at 1.1 m/s, restitution .6
+      before = now;
+    }
+  }
+}
+
+TEST(Placement, ABallPutIntoARobotComesOutOfIt) {
+  for (int i = 0; i < 40; ++i) {
+    Arena arena({{{0, 0}, 0.7}});
+    const Vector2d inside = 0.09 * (i % 10) / 10 * world::direction(i);
+    arena.world.place_ball(inside);
+    arena.run(0.5);
+    EXPECT_GT(arena.world.distance_to_robots(arena.ball().position.head<2>()), 0.0215 - 0.002) << i;
+    EXPECT_LT(arena.ball().position.head<2>().norm(), 0.115) << i;  // and lies beside it
+    EXPECT_NEAR(arena.ball().position.z(), 0.0215, 1e-6) << i;
+  }
+}
+
 TEST(Placement, RemovedRobotsLeaveAndComeBack) {
   Arena arena({{{0, 0}, 0}, {{1, 0}, 0}});
   arena.world.remove_robot(0);
