@@ -82,7 +82,7 @@ const Finding* Report::find(std::string_view key) const {
 std::string to_toml(const Report& report, std::string_view title) {
   std::string text = fmt::format("# Calibrated from {}\n", on_one_line(title));
   text += "# Each line: value  # what it is [unit], standard error, samples: method\n";
-  text += fmt::format("preset = \"{}\"  # in force for everything that is not set below\n", base);
+  text += fmt::format("[realism]\npreset = \"{}\"  # in force for everything that is not set below\n", base);
   std::string section;
   for (const PresetKey& key : preset_keys()) {
     const Finding* finding = report.find(key.name);
@@ -90,7 +90,7 @@ std::string to_toml(const Report& report, std::string_view title) {
     const std::size_t dot = key.name.find('.');
     if (section != key.name.substr(0, dot)) {
       section = key.name.substr(0, dot);
-      text += fmt::format("\n[{}]\n", section);
+      text += fmt::format("\n[realism.{}]\n", section);
     }
     const std::string_view name = key.name.substr(dot + 1);
     if (!finding->value) {

@@ -93,9 +93,9 @@ TEST_F(Calibrate, PrintsATableAndWritesThePreset) {
   EXPECT_THAT(out_.str(), HasSubstr("game.log: 10.0 s, 2 cameras, 1200 images, 8 robots"));
   EXPECT_THAT(out_.str(), HasSubstr("ball noise, per axis"));
   const toml::table table = toml::parse_file(preset.string());
-  EXPECT_EQ(table["vision"]["cameras"].value<int>(), 2);
-  EXPECT_NEAR(table["vision"]["camera_height"].value<double>().value(), 4.2, 1e-9);
-  EXPECT_NEAR(table["vision"]["robot_sigma"].value<double>().value(), 0.0005, 0.00005);
+  EXPECT_EQ(table["realism"]["vision"]["cameras"].value<int>(), 2);
+  EXPECT_NEAR(table["realism"]["vision"]["camera_height"].value<double>().value(), 4.2, 1e-9);
+  EXPECT_NEAR(table["realism"]["vision"]["robot_sigma"].value<double>().value(), 0.0005, 0.00005);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);  // nothing else is left behind
 }
 
@@ -121,8 +121,8 @@ TEST_F(Calibrate, WithoutGeometryLeavesTheCamerasPlacesOut) {
   EXPECT_THAT(errors_.str(), HasSubstr("holds no geometry"));
   EXPECT_EQ(std::ranges::count(errors_.str(), '\n'), 1);
   const toml::table table = toml::parse_file(preset.string());
-  EXPECT_FALSE(table["vision"].as_table()->contains("camera_height"));
-  EXPECT_TRUE(table["vision"].as_table()->contains("robot_sigma"));
+  EXPECT_FALSE(table["realism"]["vision"].as_table()->contains("camera_height"));
+  EXPECT_TRUE(table["realism"]["vision"].as_table()->contains("robot_sigma"));
 }
 
 TEST_F(Calibrate, OfACutLogTellsWhatThereIs) {
@@ -173,7 +173,9 @@ TEST_F(Calibrate, MeasuresARealGame) {
   EXPECT_EQ(run(real_log(), preset), 0) << errors_.str();
   std::cout << out_.str();
   const toml::table table = toml::parse_file(preset.string());
-  const auto number = [&](const char* key) { return table["vision"][key].value<double>().value(); };
+  const auto number = [&](const char* key) {
+    return table["realism"]["vision"][key].value<double>().value();
+  };
   EXPECT_EQ(number("cameras"), 2);
   EXPECT_NEAR(number("camera_height"), 6.14, 0.01);
   // Published for cameras of the league: tenths of a millimetre to 1.5 mm; 2 to 10 mrad; biases of

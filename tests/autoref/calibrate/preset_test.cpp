@@ -29,7 +29,8 @@ TEST(PresetKeys, AreTheSimulatorsWithTheirRanges) {
 
 // Takes a preset as the simulator does, and gives how many numbers it set.
 int applied(const std::string& text, engine::Realism& realism) {
-  const toml::table table = toml::parse(text);
+  const toml::table document = toml::parse(text);
+  const toml::table& table = *document["realism"].as_table();
   realism = engine::realism(table["preset"].value<std::string>().value());
   int numbers = 0;
   for (const auto& [section, keys] : table) {

@@ -312,15 +312,14 @@ TEST(Engine, ASnapshotOfAnotherModelIsRefused) {
   EXPECT_THROW(Engine(model).restore(Engine(six_a_side()).snapshot()), std::invalid_argument);
 }
 
-
 TEST(Engine, AnotherSeedGivesAnotherGame) {
   for (const char* realism : {"measured", "harsh"}) {
     EXPECT_NE(hash_of_passage(realism, 11, 600), hash_of_passage(realism, 12, 600));
   }
 }
 
-// Printed, to be compared between presets (dev, asan, release) by eye: rounding may differ with the optimiser, and
-// then a crowd of bodies soon does. The numbers are in the README.
+// Printed, to be compared between presets (dev, asan, release) by eye: rounding may differ with the
+// optimiser, and then a crowd of bodies soon does. The numbers are in the README.
 TEST(Engine, SameSeedAndCommandsGiveTheSameBits) {
   for (const char* realism : {"none", "measured", "harsh"}) {
     const std::uint64_t hash = hash_of_passage(realism, 11, 600);
