@@ -12,7 +12,7 @@ namespace wire {
 namespace {
 
 constexpr double farthest = 100;       // [m] ours: no field is longer
-constexpr double highest = 5;          // [m] from there the ball reaches the ground at 9.9 m/s
+constexpr double highest_ball = 5;     // [m] from there the ball reaches the ground at 9.9 m/s
 constexpr double fastest = 10;         // [m/s] tests/sim/physics: nothing tunnels up to here
 constexpr double fastest_turn = 100;   // [rad/s] ours: five times what a robot of the league does
 constexpr double largest_angle = 1e3;  // [rad] ours: any angle is meant modulo a turn, this is not meant
@@ -54,7 +54,7 @@ Result<BallTeleport> decode(const matchday::simulation::TeleportBall& message) {
   Reader reader("teleport_ball");
   reader.number("x", message.has_x(), message.x(), -farthest, farthest, ball.position[0]);
   reader.number("y", message.has_y(), message.y(), -farthest, farthest, ball.position[1]);
-  reader.number("z", message.has_z(), message.z(), 0, highest, ball.position[2]);
+  reader.number("z", message.has_z(), message.z(), 0, highest_ball, ball.position[2]);
   reader.speed("vx", message.has_vx(), message.vx(), ball.velocity[0]);
   reader.speed("vy", message.has_vy(), message.vy(), ball.velocity[1]);
   reader.speed("vz", message.has_vz(), message.vz(), ball.velocity[2]);
@@ -84,6 +84,7 @@ Result<RobotTeleport> decode(const matchday::simulation::TeleportRobot& message)
   reader.number("v_angular", message.has_v_angular(), message.v_angular(), -fastest_turn, fastest_turn, turn);
   robot.velocity = {vx.value_or(0), vy.value_or(0)};
   robot.angular_velocity = turn.value_or(0);
+  robot.says_how_fast = vx || vy || turn;
   if (message.has_present()) robot.present = message.present();
   robot.by_force = message.by_force();
   return reader.finish(robot);

@@ -29,6 +29,7 @@ struct RobotTeleport {
   std::optional<double> orientation;                   ///< [rad]
   world::Vector2d velocity = world::Vector2d::Zero();  ///< [m/s]
   double angular_velocity = 0;                         ///< [rad/s]
+  bool says_how_fast = false;                          ///< one of these numbers was there
   std::optional<bool> present;                         ///< true: create it if missing; false: remove it
   bool by_force = false;                               ///< drag it there until another message comes
 
