@@ -34,7 +34,8 @@ int main(int argc, char** argv) {
   app.add_option("--realism", options.realism, "none, friendly, measured or harsh")->capture_default_str();
   app.add_option("--set", options.set, "KEY=NUMBER: change one number of the realism; may be given often")
       ->allow_extra_args(false);
-  app.add_option("--blue", options.blue, "robots on the field, as 0-5 or 1,4,7 or none; default: as the rules");
+  app.add_option("--blue", options.blue,
+                 "robots on the field, as 0-5 or 1,4,7 or none; default: as the rules");
   app.add_option("--yellow", options.yellow, "the same");
   app.add_option("--seed", options.seed, "the only source of chance")->capture_default_str();
   app.add_option("--speed", options.speed, "simulated seconds in a second; 0: start paused")

@@ -103,8 +103,7 @@ Address UdpSocket::local() const {
 std::optional<Datagram> UdpSocket::receive() {
   ip::udp::endpoint sender;
   error_code error;
-  const std::size_t size =
-      impl_->socket.receive_from(boost::asio::buffer(impl_->buffer), sender, 0, error);
+  const std::size_t size = impl_->socket.receive_from(boost::asio::buffer(impl_->buffer), sender, 0, error);
   if (error) return std::nullopt;  // nothing there; or an old reply that did not arrive, which is no news
   return Datagram{{impl_->buffer.data(), size}, {sender.address().to_string(), sender.port()}};
 }

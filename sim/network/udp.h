@@ -75,8 +75,8 @@ class UdpSocket {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Sleeps until a datagram is waiting at one of the sockets, at the latest until `deadline`; also ends when the
-/// program handles a signal.
+/// Sleeps until a datagram is waiting at one of the sockets, at the latest until `deadline`; also ends when
+/// the program handles a signal.
 void wait(std::span<UdpSocket* const> sockets, Clock::time_point deadline);
 
 }  // namespace network

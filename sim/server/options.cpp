@@ -43,8 +43,8 @@ std::vector<std::string_view> split(std::string_view text, char at) {
 }
 
 void check_port(const char* flag, int port) {
-  require(port >= 0 && port <= 65535, fmt::format("--{} {}: ports go from 1 to 65535 (0: any free one)", flag,
-                                                  port));
+  require(port >= 0 && port <= 65535,
+          fmt::format("--{} {}: ports go from 1 to 65535 (0: any free one)", flag, port));
 }
 
 }  // namespace

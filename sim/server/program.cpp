@@ -87,9 +87,10 @@ class Program {
 
   void run(const std::atomic<bool>& stop) {
     greet();
-    const auto end = options_.duration ? start_ + std::chrono::round<Clock::duration>(
-                                                      std::chrono::duration<double>(*options_.duration))
-                                       : Clock::time_point::max();
+    const auto end =
+        options_.duration
+            ? start_ + std::chrono::round<Clock::duration>(std::chrono::duration<double>(*options_.duration))
+            : Clock::time_point::max();
     for (Clock::time_point now = start_; !stop && now < end; now = Clock::now()) {
       serve(now);
       publish(now);
@@ -122,7 +123,8 @@ class Program {
       next_budget_ = now + budget_period;
     }
     control_.serve(not_sent_, [this](std::string_view bytes) { return server_.handle_control(bytes); });
-    blue_.serve(not_sent_, [this](std::string_view bytes) { return server_.handle_robots(Team::Blue, bytes); });
+    blue_.serve(not_sent_,
+                [this](std::string_view bytes) { return server_.handle_robots(Team::Blue, bytes); });
     yellow_.serve(not_sent_,
                   [this](std::string_view bytes) { return server_.handle_robots(Team::Yellow, bytes); });
     if (server_.speed() != pacer_.speed()) pacer_.set_speed(now, server_.time(), server_.speed());

@@ -32,8 +32,8 @@ Vector towards(const Vector& velocity, const Vector& way) {
 truth::Ball pulled(truth::Ball ball, const world::Vector3d& target, double ball_radius) {
   const bool on_the_ground = target.z() <= ball_radius + at_rest;
   if (on_the_ground) {
-    ball.velocity.head<2>() = towards<world::Vector2d>(ball.velocity.head<2>(),
-                                                       (target - ball.position).head<2>());
+    ball.velocity.head<2>() =
+        towards<world::Vector2d>(ball.velocity.head<2>(), (target - ball.position).head<2>());
     ball.spin = rolling_spin(ball.velocity, ball_radius);
     return ball;
   }

@@ -53,9 +53,7 @@ void apply_ours(const RealismMatchday& message, Changes& changes) {
   for (const auto& value : message.values()) changes.set(wire::printable(value.key()), value.value());
 }
 
-double ticks(double nanoseconds) {
-  return std::round(nanoseconds * 1e-9 * world::ticks_per_second);
-}
+double ticks(double nanoseconds) { return std::round(nanoseconds * 1e-9 * world::ticks_per_second); }
 
 void apply_er_force(const RealismConfigErForce& theirs, double robots_per_camera, Changes& changes) {
   const auto take = [&](bool present, const char* field, double value, std::string_view key) {
@@ -112,9 +110,10 @@ std::vector<Problem> apply(const matchday::simulation::RealismConfig& message, s
     } else if (const auto theirs = wire::unpacked<RealismConfigErForce>(custom, {"", "sslsim."})) {
       apply_er_force(*theirs, static_cast<double>(robots) / static_cast<double>(cameras), changes);
     } else {
-      changes.unsupported(fmt::format("realism_config: custom \"{}\" is not known or not readable; known are "
-                                      "matchday.simulation.RealismMatchday and RealismConfigErForce",
-                                      wire::printable(custom.type_url())));
+      changes.unsupported(
+          fmt::format("realism_config: custom \"{}\" is not known or not readable; known are "
+                      "matchday.simulation.RealismMatchday and RealismConfigErForce",
+                      wire::printable(custom.type_url())));
     }
   }
   return problems;

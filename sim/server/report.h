@@ -12,9 +12,9 @@ namespace server {
 struct Troubles {
   PortCounts control;
   world::PerTeam<PortCounts> robots;
-  std::uint64_t not_sent = 0;          ///< datagrams that the system did not take
-  Pacer::Clock::duration skipped{};    ///< of the schedule
-  double speed = 1;                    ///< that was asked for
+  std::uint64_t not_sent = 0;        ///< datagrams that the system did not take
+  Pacer::Clock::duration skipped{};  ///< of the schedule
+  double speed = 1;                  ///< that was asked for
 };
 
 /// What is new in `now`, for people; empty when nothing is.

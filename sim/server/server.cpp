@@ -43,8 +43,9 @@ class Server::Problems {
   Problems(PortCounts& counts, Errors& errors) : counts_(counts), errors_(errors) { ++counts_.messages; }
   ~Problems() {
     if (left_out_ == 0) return;
-    errors_.Mutable(errors_.size() - 1)->mutable_message()->append(
-        fmt::format(" (and {} more errors, not listed)", left_out_));
+    errors_.Mutable(errors_.size() - 1)
+        ->mutable_message()
+        ->append(fmt::format(" (and {} more errors, not listed)", left_out_));
   }
   Problems(const Problems&) = delete;
   Problems& operator=(const Problems&) = delete;
@@ -109,8 +110,8 @@ void Server::apply(const proto::SimulatorConfig& config, Problems& problems) {
     if (config.vision_port() >= 1 && config.vision_port() <= 65535) {
       vision_port_ = static_cast<std::uint16_t>(config.vision_port());
     } else {
-      problems.add(Problem{code::port, fmt::format("vision_port = {}: ports go from 1 to 65535",
-                                                   config.vision_port())});
+      problems.add(Problem{code::port,
+                           fmt::format("vision_port = {}: ports go from 1 to 65535", config.vision_port())});
     }
   }
 }
@@ -130,8 +131,9 @@ void Server::apply(const proto::SimulatorControl& control, Problems& problems) {
     if (speed == 0 || (speed >= slowest_speed && speed <= fastest_speed)) {
       speed_ = speed;
     } else {
-      problems.add(Problem{code::speed, fmt::format("simulation_speed = {}: must be 0 (pause) or from {} to {}",
-                                                    speed, slowest_speed, fastest_speed)});
+      problems.add(
+          Problem{code::speed, fmt::format("simulation_speed = {}: must be 0 (pause) or from {} to {}", speed,
+                                           slowest_speed, fastest_speed)});
     }
   }
 }
@@ -150,8 +152,8 @@ std::string Server::handle_robots(world::Team team, std::string_view datagram) {
         if (const auto* bad = std::get_if<Problem>(&order)) {
           problems.add(*bad);
         } else if (seen[command.id()]) {
-          problems.add(Problem{code::duplicate, fmt::format("robot {} has two commands; the first one counts",
-                                                            command.id())});
+          problems.add(Problem{code::duplicate,
+                               fmt::format("robot {} has two commands; the first one counts", command.id())});
         } else {
           seen.set(command.id());
           problems.add(simulation_.order(team, std::get<wire::RobotOrder>(order)));

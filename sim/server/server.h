@@ -16,7 +16,7 @@ namespace server {
 
 /// What came in at one port.
 struct PortCounts {
-  std::uint64_t messages = 0;                            ///< datagrams, the bad ones too
+  std::uint64_t messages = 0;                         ///< datagrams, the bad ones too
   std::map<std::string_view, std::uint64_t> refused;  ///< problems by wire::code
 };
 

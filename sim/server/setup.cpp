@@ -75,8 +75,8 @@ std::vector<Problem> apply_ball(const matchday::vision::SSL_GeometryModels& mode
     try {
       engine::set(setup.realism, key, -value);
     } catch (const std::invalid_argument& error) {
-      problems.push_back({code::geometry, fmt::format("models.straight_two_phase.{} = {}: {}", name, value,
-                                                      error.what())});
+      problems.push_back(
+          {code::geometry, fmt::format("models.straight_two_phase.{} = {}: {}", name, value, error.what())});
     }
   };
   if (models.has_straight_two_phase()) {
@@ -85,10 +85,10 @@ std::vector<Problem> apply_ball(const matchday::vision::SSL_GeometryModels& mode
     set("ball.roll_deceleration", "acc_roll", ball.acc_roll());
     const double ours = world::Geometry{}.ball_switch_ratio;
     if (!(std::abs(ball.k_switch() - ours) < 0.001)) {  // a message may have rounded it
-      problems.push_back({code::unsupported,
-                          fmt::format("models.straight_two_phase.k_switch = {} is ignored: a solid ball "
-                                      "begins to roll at {:.4f} of its speed",
-                                      ball.k_switch(), ours)});
+      problems.push_back(
+          {code::unsupported, fmt::format("models.straight_two_phase.k_switch = {} is ignored: a solid ball "
+                                          "begins to roll at {:.4f} of its speed",
+                                          ball.k_switch(), ours)});
     }
   }
   if (models.has_chip_fixed_loss()) {
@@ -167,15 +167,16 @@ void check(const Setup& setup) {
 std::vector<Problem> apply(const matchday::vision::SSL_GeometryData& geometry, Setup& setup) {
   const auto decoded = wire::decode(geometry);
   if (!decoded) {
-    return {{code::geometry, fmt::format("geometry: field_length = {} and field_width = {} must be lengths in "
-                                         "millimetres, up to 100 m",
-                                         geometry.field().field_length(), geometry.field().field_width())}};
+    return {
+        {code::geometry, fmt::format("geometry: field_length = {} and field_width = {} must be lengths in "
+                                     "millimetres, up to 100 m",
+                                     geometry.field().field_length(), geometry.field().field_width())}};
   }
   if (decoded->cameras.size() != static_cast<std::size_t>(geometry.calib_size())) {
-    return {{code::geometry, fmt::format("geometry: of {} calibrations {} have no usable camera_id and place",
-                                         geometry.calib_size(),
-                                         static_cast<std::size_t>(geometry.calib_size()) -
-                                             decoded->cameras.size())}};
+    return {{code::geometry,
+             fmt::format("geometry: of {} calibrations {} have no usable camera_id and place",
+                         geometry.calib_size(),
+                         static_cast<std::size_t>(geometry.calib_size()) - decoded->cameras.size())}};
   }
   Setup changed = setup;
   changed.field = decoded->field;

@@ -74,9 +74,10 @@ std::optional<Problem> Simulation::outside_walls(const char* what, const world::
                                                  double radius) const {
   if (inside(position, radius) == position) return std::nullopt;
   const world::Vector2d limit = wall(setup_.field) - world::Vector2d(radius, radius);
-  return Problem{code::value, fmt::format("{}: ({:.3f}, {:.3f}) is outside the walls; x may be up to +-{:.3f} "
-                                          "and y up to +-{:.3f} m",
-                                          what, position.x(), position.y(), limit.x(), limit.y())};
+  return Problem{code::value,
+                 fmt::format("{}: ({:.3f}, {:.3f}) is outside the walls; x may be up to +-{:.3f} "
+                             "and y up to +-{:.3f} m",
+                             what, position.x(), position.y(), limit.x(), limit.y())};
 }
 
 const truth::Robot* Simulation::find(world::RobotId id) const {
@@ -160,11 +161,16 @@ std::optional<Problem> Simulation::order(world::Team team, const wire::RobotOrde
 world::RobotCommand Simulation::command(const wire::RobotOrder& order, const truth::Robot& robot) const {
   world::RobotCommand command = order.command;
   if (const auto* global = std::get_if<wire::GlobalVelocity>(&order.move)) {
-    command.velocity_local = world::rotated(global->velocity, -robot.orientation);
+    // A robot turns the wish into its own frame itself, so it counts where it will look in the middle of the
+    // tick that this command drives.
+    const double wait = (setup_.realism.radio.latency + 0.5) * world::tick_length;
+    const double heading = robot.orientation + robot.angular_velocity * wait;
+    command.velocity_local = world::rotated(global->velocity, -heading);
     command.angular_velocity = global->angular_velocity;
   } else if (const auto* wheels = std::get_if<wire::WheelSpeeds>(&order.move)) {
     const world::RobotId id = robot.id;
-    const auto local = motion(setup_.wheels[id.team][id.number], *wheels, setup_.specs[id.team][id.number].radius);
+    const auto local =
+        motion(setup_.wheels[id.team][id.number], *wheels, setup_.specs[id.team][id.number].radius);
     command.velocity_local = local->velocity;  // `check` has seen that these angles have an answer
     command.angular_velocity = local->angular_velocity;
   }

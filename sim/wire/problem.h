@@ -22,19 +22,19 @@ using Result = std::variant<T, Problem>;
 /// The codes of SimulatorError. Stable: clients compare them. Where ER-Force's simulator has a word for the
 /// same thing, it is that word.
 namespace code {
-inline constexpr std::string_view unreadable = "UNREADABLE";  ///< not the message this port expects
-inline constexpr std::string_view too_long = "TOO_LONG";      ///< more bytes than a datagram may have
-inline constexpr std::string_view robot_id = "ROBOT_ID";      ///< team or number missing or unknown
-inline constexpr std::string_view robot_absent = "ROBOT_ABSENT";      ///< not on the field
-inline constexpr std::string_view duplicate = "DUPLICATE_ROBOT";      ///< named twice in one message
-inline constexpr std::string_view value = "INVALID_VALUE";            ///< missing, not finite or out of range
-inline constexpr std::string_view no_place = "CREATE_NOPOS_ROBOT";    ///< a new robot needs x and y
-inline constexpr std::string_view speed = "INVALID_SPEED";            ///< simulation_speed
-inline constexpr std::string_view port = "INVALID_PORT";              ///< vision_port
-inline constexpr std::string_view geometry = "INVALID_GEOMETRY";      ///< field, cameras, ball model
-inline constexpr std::string_view spec = "INVALID_SPEC";              ///< robot_specs
-inline constexpr std::string_view realism = "INVALID_REALISM";        ///< key, value or preset
-inline constexpr std::string_view unsupported = "UNSUPPORTED";        ///< this simulator has no such thing
+inline constexpr std::string_view unreadable = "UNREADABLE";        ///< not the message this port expects
+inline constexpr std::string_view too_long = "TOO_LONG";            ///< more bytes than a datagram may have
+inline constexpr std::string_view robot_id = "ROBOT_ID";            ///< team or number missing or unknown
+inline constexpr std::string_view robot_absent = "ROBOT_ABSENT";    ///< not on the field
+inline constexpr std::string_view duplicate = "DUPLICATE_ROBOT";    ///< named twice in one message
+inline constexpr std::string_view value = "INVALID_VALUE";          ///< missing, not finite or out of range
+inline constexpr std::string_view no_place = "CREATE_NOPOS_ROBOT";  ///< a new robot needs x and y
+inline constexpr std::string_view speed = "INVALID_SPEED";          ///< simulation_speed
+inline constexpr std::string_view port = "INVALID_PORT";            ///< vision_port
+inline constexpr std::string_view geometry = "INVALID_GEOMETRY";    ///< field, cameras, ball model
+inline constexpr std::string_view spec = "INVALID_SPEC";            ///< robot_specs
+inline constexpr std::string_view realism = "INVALID_REALISM";      ///< key, value or preset
+inline constexpr std::string_view unsupported = "UNSUPPORTED";      ///< this simulator has no such thing
 }  // namespace code
 
 /// As it travels.

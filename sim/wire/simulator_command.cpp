@@ -67,7 +67,8 @@ Result<BallTeleport> decode(const matchday::simulation::TeleportBall& message) {
 Result<RobotTeleport> decode(const matchday::simulation::TeleportRobot& message) {
   const std::optional<world::RobotId> id = decode(message.id());
   if (!id) {
-    return Problem{code::robot_id, "teleport_robot: id must have a team, YELLOW or BLUE, and a number 0 to 15"};
+    return Problem{code::robot_id,
+                   "teleport_robot: id must have a team, YELLOW or BLUE, and a number 0 to 15"};
   }
   RobotTeleport robot;
   robot.id = *id;

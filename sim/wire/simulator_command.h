@@ -38,7 +38,8 @@ struct RobotTeleport {
 
 /// From the wire. A problem is a robot id that is missing or unknown, and a number that is not finite or
 /// absurd: positions beyond 100 m, speeds beyond 10 m/s (what the walls are proven to hold), turning beyond
-/// 100 rad/s, a ball below its resting height or more than 5 m above. Whether the place is inside the walls is the simulator's business.
+/// 100 rad/s, a ball below its resting height or more than 5 m above. Whether the place is inside the walls
+/// is the simulator's business.
 Result<BallTeleport> decode(const matchday::simulation::TeleportBall& message);
 Result<RobotTeleport> decode(const matchday::simulation::TeleportRobot& message);
 

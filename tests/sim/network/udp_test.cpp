@@ -58,7 +58,8 @@ TEST(UdpSocket, AnswersTheSender) {
 TEST(UdpSocket, CarriesWholeDatagramsFromEmptyToTheLargest) {
   UdpSocket server = UdpSocket::server({loopback, 0});
   UdpSocket client = UdpSocket::server({loopback, 0});
-  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{8193}, network::max_udp_payload}) {
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{1}, std::size_t{8193}, network::max_udp_payload}) {
     ASSERT_TRUE(client.send(std::string(size, 'x'), server.local()));
     EXPECT_EQ(next(server), std::string(size, 'x'));
   }
@@ -84,12 +85,17 @@ TEST(UdpSocket, ATakenPortIsOneSentence) {
 }
 
 TEST(UdpSocket, SaysWhatIsWrongWithAnAddress) {
-  EXPECT_THAT(error_of([] { UdpSocket::server({"localhost", 0}); }),
+  EXPECT_THAT(error_of([] {
+                UdpSocket::server({"localhost", 0});
+              }),
               AllOf(HasSubstr("\"localhost\""), HasSubstr("not an IPv4 address")));
   // 192.0.2.0/24 is set aside for documents: no machine has such an address.
   EXPECT_THAT(error_of([] { UdpSocket::server({"192.0.2.1", 0}); }), HasSubstr("192.0.2.1:0"));
   EXPECT_THAT(error_of([] { UdpSocket::multicast_sender("192.0.2.1"); }), HasSubstr("192.0.2.1"));
-  EXPECT_THAT(error_of([] { UdpSocket::multicast_receiver({"10.1.1.1", 0}, loopback); }), HasSubstr("10.1.1.1"));
+  EXPECT_THAT(error_of([] {
+                UdpSocket::multicast_receiver({"10.1.1.1", 0}, loopback);
+              }),
+              HasSubstr("10.1.1.1"));
 }
 
 TEST(UdpSocket, WaitingEndsAtItsDeadlineAndWithADatagram) {
