@@ -1,6 +1,7 @@
 #include "sim/server/program.h"
 
 #include <fmt/format.h>
+#include <google/protobuf/stubs/logging.h>
 
 #include <algorithm>
 #include <array>
@@ -232,6 +233,8 @@ class Program {
 
 void run(const Options& options, const std::atomic<bool>& stop, std::ostream& out, std::ostream& err) {
   check(options);
+  // Protobuf writes a line about every text that is not UTF-8; one of ours a second is enough.
+  google::protobuf::SetLogHandler(nullptr);
   Program(options, out, err).run(stop);
 }
 

@@ -127,8 +127,9 @@ void Server::apply(const proto::SimulatorControl& control, Problems& problems) {
   for (const proto::TeleportRobot& robot : control.teleport_robot()) obey(wire::decode(robot));
   if (control.has_teleport_ball()) obey(wire::decode(control.teleport_ball()));
   if (control.has_simulation_speed()) {
-    const double speed = control.simulation_speed();
-    if (speed == 0 || (speed >= slowest_speed && speed <= fastest_speed)) {
+    const float speed = control.simulation_speed();
+    if (speed == 0 ||
+        (speed >= static_cast<float>(slowest_speed) && speed <= static_cast<float>(fastest_speed))) {
       speed_ = speed;
     } else {
       problems.add(
