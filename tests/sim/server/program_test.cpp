@@ -66,20 +66,15 @@ bool wait_for(UdpSocket& socket, const std::function<bool(std::string_view)>& wa
   return false;
 }
 
+/// One question to a program that listens, and its answer, which may take 5 s.
 template <class Answer, class Question>
 Answer ask(UdpSocket& socket, int port, const Question& question) {
   Answer answer;
-  // The program may not listen yet: ask again.
-  for (int attempt = 0; attempt < 50; ++attempt) {
-    socket.send(question.SerializeAsString(), {loopback, static_cast<std::uint16_t>(port)});
-    UdpSocket* const sockets[] = {&socket};
-    network::wait(sockets, network::Clock::now() + 100ms);
-    if (const auto datagram = socket.receive()) {
-      EXPECT_TRUE(answer.ParseFromArray(datagram->bytes.data(), static_cast<int>(datagram->bytes.size())));
-      return answer;
-    }
-  }
-  ADD_FAILURE() << "no answer";
+  EXPECT_TRUE(socket.send(question.SerializeAsString(), {loopback, static_cast<std::uint16_t>(port)}));
+  EXPECT_TRUE(wait_for(socket, [&](std::string_view bytes) {
+    EXPECT_TRUE(answer.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())));
+    return true;
+  })) << "no answer";
   return answer;
 }
 
@@ -212,8 +207,9 @@ TEST(Program, SurvivesAFloodAndStillPlays) {
   }
   int frames = 0;
   EXPECT_TRUE(wait_for(eyes, [&](std::string_view) { return ++frames == 60; })) << "frames still come";
+  UdpSocket other = UdpSocket::server({loopback, 0});  // the first one has thousands of answers to read
   EXPECT_EQ(
-      ask<proto::RobotControlResponse>(client, options.yellow_port, proto::RobotControl{}).feedback_size(), 6)
+      ask<proto::RobotControlResponse>(other, options.yellow_port, proto::RobotControl{}).feedback_size(), 6)
       << "a flood at other ports does not shut out this one";
   program.stop();
   const std::string told = program.err();
