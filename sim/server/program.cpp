@@ -24,8 +24,10 @@ using world::Team;
 constexpr auto geometry_period = std::chrono::seconds{3};  // as SSL-Vision
 constexpr auto report_period = std::chrono::seconds{1};
 // A flood at one port leaves time for the ticks and the other ports: 32 datagrams in 1/60 s are 1920 a
-// second, what a team needs is 60. The rest waits in the system's buffer, which drops what is too much.
-constexpr int most_datagrams = 32;
+// second, what a team needs is 60. Control has fewer, since a new set-up costs a millisecond. The rest waits
+// in the system's buffer, which drops what is too much.
+constexpr int most_commands = 32;
+constexpr int most_controls = 8;
 constexpr auto budget_period = std::chrono::nanoseconds{1'000'000'000 / world::ticks_per_second};
 
 std::uint16_t port(int number) { return static_cast<std::uint16_t>(number); }
@@ -120,7 +122,8 @@ class Program {
 
   void serve(Clock::time_point now) {
     if (now >= next_budget_) {
-      control_.budget = blue_.budget = yellow_.budget = most_datagrams;
+      control_.budget = most_controls;
+      blue_.budget = yellow_.budget = most_commands;
       next_budget_ = now + budget_period;
     }
     control_.serve(not_sent_, [this](std::string_view bytes) { return server_.handle_control(bytes); });
