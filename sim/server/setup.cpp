@@ -10,7 +10,7 @@
 
 #include "sim/server/realism_messages.h"
 #include "sim/server/wheels.h"
-#include "sim/wire/vision.h"
+#include "sim/wire/vision_packet.h"
 
 namespace server {
 namespace {
@@ -62,6 +62,26 @@ std::vector<Problem> replace(Setup& setup, Setup changed, std::string_view code,
     problems.push_back({code, owner + error.what()});
   }
   return problems;
+}
+
+/// Everything that messages can change, as bytes. They came in wire types, so those tell any two apart.
+std::string fingerprint(const Setup& setup) {
+  std::string bytes;
+  wire::encode_packet(model(setup).geometry, bytes);
+  for (const engine::RealismKey& key : engine::realism_keys()) {
+    bytes += fmt::format("{} ", key.get(setup.realism));
+  }
+  wire::proto::RobotSpecs message;
+  for (const world::Team team : world::both_teams) {
+    for (std::size_t i = 0; i < robots_per_team; ++i) {
+      wire::encode(setup.specs[team][i], message);
+      message.AppendToString(&bytes);
+      const wire::WheelAngles& wheels = setup.wheels[team][i];
+      bytes += fmt::format("{} {} {} {} ", wheels.front_right, wheels.back_right, wheels.back_left,
+                           wheels.front_left);
+    }
+  }
+  return bytes;
 }
 
 bool has(const std::vector<Problem>& problems, std::string_view code) {
@@ -137,6 +157,8 @@ engine::Model model(const Setup& setup) {
   model.seed = setup.seed;
   return model;
 }
+
+bool same_world(const Setup& a, const Setup& b) { return fingerprint(a) == fingerprint(b); }
 
 void check(const Setup& setup) {
   const engine::Model whole = model(setup);

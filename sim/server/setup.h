@@ -38,6 +38,9 @@ void give_bodies(Setup& setup);
 /// The engine's model with all 16 robots of each team and with cameras.
 engine::Model model(const Setup& setup);
 
+/// Says whether two set-ups make the same world, in all that messages can change; own_specs do not count.
+bool same_world(const Setup& a, const Setup& b);
+
 /// @throws std::invalid_argument in one sentence: what the engine refuses, more than 8 cameras, two with one
 ///         id, one below 0.5 m, a field below 1 m, a ball of less than 10 mm or more than 50 mm, wheel angles
 ///         that leave a direction open

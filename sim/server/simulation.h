@@ -30,7 +30,8 @@ class Simulation {
   const Setup& setup() const { return setup_; }
 
   /// Goes on with another set-up: a new engine, in which ball and robots are where they were and move as they
-  /// did, or at the wall where that is outside now. What was on its way to teams and robots is lost.
+  /// did, or at the wall where that is outside now. What was on its way to teams and robots is lost. When it
+  /// makes the same world, the engine stays.
   /// @throws std::invalid_argument; then nothing has changed
   void reconfigure(const Setup& setup);
 

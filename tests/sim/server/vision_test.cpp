@@ -85,6 +85,30 @@ TEST(VisionPackets, GoOnWhenTheEngineIsExchanged) {
   EXPECT_EQ(frames, (30 - 1 - 4) * 4);
 }
 
+TEST(VisionPackets, AreNotDisturbedByWhatChangesNothing) {
+  Bench b("measured");
+  Bench undisturbed("measured");
+  for (int i = 0; i < 30; ++i) {
+    proto::SimulatorCommand command;
+    matchday::vision::SSL_WrapperPacket packet;
+    ASSERT_TRUE(packet.ParseFromString(b.server.geometry()));
+    auto& config = *command.mutable_config();
+    *config.mutable_geometry() = packet.geometry();
+    auto& same = *config.add_robot_specs();
+    same.mutable_id()->set_id(1);
+    same.mutable_id()->set_team(proto::BLUE);
+    same.set_mass(2.5);
+    *config.add_robot_specs() = same;
+    config.mutable_robot_specs(1)->set_mass(-1);
+    config.mutable_realism_config()->add_custom()->set_type_url("somebody.Else");
+    EXPECT_EQ(b.codes(command), "INVALID_SPEC UNSUPPORTED ");
+    const auto packets = b.server.step();
+    const auto expected = undisturbed.server.step();
+    ASSERT_EQ(packets.size(), expected.size());
+    for (std::size_t k = 0; k < packets.size(); ++k) EXPECT_EQ(packets[k].bytes, expected[k].bytes);
+  }
+}
+
 TEST(VisionPackets, TheGeometryIsWhole) {
   Bench b;
   const auto packet = parsed(b.server.geometry());
