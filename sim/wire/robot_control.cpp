@@ -1,7 +1,9 @@
 #include "sim/wire/robot_control.h"
 
+#include <fmt/format.h>
+
 #include <bitset>
-#include <cmath>
+#include <utility>
 
 #include "sim/wire/units.h"
 
@@ -16,41 +18,78 @@ constexpr float max_angular_speed = 1000;   // [rad/s]
 constexpr float max_kick_angle = 90;        // [degrees]
 constexpr float max_dribbler_speed = 1e6F;  // [rpm]
 
-bool is_within(float value, float limit) { return std::abs(value) <= limit; }  // false for NaN
+/// The first of a message's values that cannot be meant.
+class Checks {
+ public:
+  explicit Checks(std::uint32_t robot) : robot_(robot) {}
+  void within(const char* name, float value, float lowest, float highest) {
+    if (problem_ || (value >= lowest && value <= highest)) return;  // not so for NaN
+    problem_ = Problem{code::value, fmt::format("robot {}: {} = {} must be from {} to {}", robot_, name,
+                                                value, lowest, highest)};
+  }
+  void speed(const char* name, float value) { within(name, value, -max_speed, max_speed); }
+  void turn(const char* name, float value) { within(name, value, -max_angular_speed, max_angular_speed); }
+  std::optional<Problem>& problem() { return problem_; }
 
-std::optional<world::RobotCommand> decode_command(const proto::RobotCommand& command) {
-  if (!command.has_id() || command.id() > world::max_robot_number) return std::nullopt;
-  world::RobotCommand result;
-  result.number = static_cast<std::uint8_t>(command.id());
+ private:
+  std::uint32_t robot_;
+  std::optional<Problem> problem_;
+};
 
-  switch (command.move_command().command_case()) {
+void decode_move(const proto::RobotMoveCommand& move, RobotOrder& out, Checks& checks) {
+  switch (move.command_case()) {
     case proto::RobotMoveCommand::kLocalVelocity: {
-      const proto::MoveLocalVelocity& velocity = command.move_command().local_velocity();
-      if (!is_within(velocity.forward(), max_speed) || !is_within(velocity.left(), max_speed) ||
-          !is_within(velocity.angular(), max_angular_speed)) {
-        return std::nullopt;
-      }
-      result.velocity_local = {velocity.forward(), velocity.left()};
-      result.angular_velocity = velocity.angular();
+      const proto::MoveLocalVelocity& velocity = move.local_velocity();
+      checks.speed("forward", velocity.forward());
+      checks.speed("left", velocity.left());
+      checks.turn("angular", velocity.angular());
+      out.command.velocity_local = {velocity.forward(), velocity.left()};
+      out.command.angular_velocity = velocity.angular();
+      break;
+    }
+    case proto::RobotMoveCommand::kGlobalVelocity: {
+      const proto::MoveGlobalVelocity& velocity = move.global_velocity();
+      checks.speed("x", velocity.x());
+      checks.speed("y", velocity.y());
+      checks.turn("angular", velocity.angular());
+      out.move = GlobalVelocity{{velocity.x(), velocity.y()}, velocity.angular()};
+      break;
+    }
+    case proto::RobotMoveCommand::kWheelVelocity: {
+      const proto::MoveWheelVelocity& wheels = move.wheel_velocity();
+      checks.speed("front_right", wheels.front_right());
+      checks.speed("back_right", wheels.back_right());
+      checks.speed("back_left", wheels.back_left());
+      checks.speed("front_left", wheels.front_left());
+      out.move =
+          WheelSpeeds{wheels.front_right(), wheels.back_right(), wheels.back_left(), wheels.front_left()};
       break;
     }
     case proto::RobotMoveCommand::COMMAND_NOT_SET:
       break;
-    case proto::RobotMoveCommand::kWheelVelocity:
-    case proto::RobotMoveCommand::kGlobalVelocity:
-      return std::nullopt;
   }
-
-  const bool kick_makes_sense = command.kick_speed() >= 0 && is_within(command.kick_speed(), max_speed) &&
-                                command.kick_angle() >= 0 && is_within(command.kick_angle(), max_kick_angle);
-  if (!kick_makes_sense || !is_within(command.dribbler_speed(), max_dribbler_speed)) return std::nullopt;
-  result.kick_speed = command.kick_speed();
-  result.kick_angle = from_degrees(command.kick_angle());
-  result.dribbler_speed = from_rpm(command.dribbler_speed());
-  return result;
 }
 
 }  // namespace
+
+Result<RobotOrder> decode_order(const proto::RobotCommand& command) {
+  if (!command.has_id()) return Problem{code::robot_id, "a robot command has no id"};
+  if (command.id() > world::max_robot_number) {
+    return Problem{code::robot_id, fmt::format("robot {}: numbers go from 0 to 15", command.id())};
+  }
+  RobotOrder order;
+  order.command.number = static_cast<std::uint8_t>(command.id());
+  Checks checks(command.id());
+  decode_move(command.move_command(), order, checks);
+  checks.within("kick_speed", command.kick_speed(), 0, max_speed);
+  checks.within("kick_angle", command.kick_angle(), 0, max_kick_angle);
+  checks.within("dribbler_speed", command.dribbler_speed(), -max_dribbler_speed, max_dribbler_speed);
+  if (checks.problem()) return std::move(*checks.problem());
+  order.command.kick_speed = command.kick_speed();
+  order.command.kick_angle = from_degrees(command.kick_angle());
+  order.command.dribbler_speed = from_rpm(command.dribbler_speed());
+  return order;
+}
 
 void encode(const world::TeamCommands& commands, proto::RobotControl& out) {
   out.Clear();
@@ -73,13 +112,14 @@ void decode(const proto::RobotControl& control, world::TeamCommands& out, int& b
   out.clear();
   std::bitset<world::max_robot_number + 1> seen;
   for (const proto::RobotCommand& command : control.robot_commands()) {
-    const std::optional<world::RobotCommand> result = decode_command(command);
-    if (!result || seen[result->number]) {
+    const Result<RobotOrder> result = decode_order(command);
+    const RobotOrder* order = std::get_if<RobotOrder>(&result);
+    if (!order || !std::holds_alternative<std::monostate>(order->move) || seen[order->command.number]) {
       ++bad_commands;
       continue;
     }
-    seen.set(result->number);
-    out.push_back(*result);
+    seen.set(order->command.number);
+    out.push_back(order->command);
   }
 }
 

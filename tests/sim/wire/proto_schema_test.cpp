@@ -15,6 +15,7 @@
 
 #include "sim/proto/legacy2014.pb.h"
 #include "sim/proto/match.pb.h"
+#include "sim/proto/simulation_custom.pb.h"
 #include "sim/proto/tracker.pb.h"
 #include "tests/sim/wire/league_schema.h"
 
@@ -228,6 +229,21 @@ TEST(ProtoSchema, NothingOfTheLeagueIsMissing) {
   }
   EXPECT_EQ(compared,
             94 - 2 + 11 - 1);  // all of the two tests above but Vector2, Vector3 and Team of the events
+}
+
+TEST(ProtoSchema, ThePayloadsOfErForceAreTheirs) {
+  const auto& theirs = league::families().at("robotics-erlangen/framework HEAD").messages;
+  const std::map<const Descriptor*, std::string> both = {
+      {matchday::simulation::RealismConfigErForce::descriptor(), "RealismConfigErForce"},
+      {matchday::simulation::RobotSpecErForce::descriptor(), "sslsim.RobotSpecErForce"}};
+  for (const auto& [ours, name] : both) {
+    EXPECT_EQ(static_cast<std::size_t>(ours->field_count()), theirs.at(name).size());
+    for (const league::Field& field : theirs.at(name)) {
+      const FieldDescriptor* own = ours->FindFieldByNumber(field.number);
+      ASSERT_NE(own, nullptr) << field.name;
+      expect_equal(*own, field);
+    }
+  }
 }
 
 TEST(ProtoSchema, FeedbackIsTheLastFieldOfATick) {

@@ -2,7 +2,7 @@
 import sys
 
 sys.path.insert(0, sys.argv[1])
-from sim.proto import legacy2014_pb2, match_pb2, referee_pb2, simulation_pb2, tracker_pb2, vision_pb2  # noqa: E402, F401
+from sim.proto import legacy2014_pb2, match_pb2, referee_pb2, simulation_custom_pb2, simulation_pb2, tracker_pb2, vision_pb2  # noqa: E402, F401
 
 reply = match_pb2.TeamMessage()
 reply.reply.tick = 3

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "sim/proto/simulation_custom.pb.h"
 #include "sim/world/random.h"
 #include "tests/sim/wire/allocations.h"
 #include "tests/sim/wire/league_schema.h"
@@ -130,6 +131,189 @@ TEST(RobotControl, DecodingReusesMemory) {
   wire::decode(control, out, bad);
   EXPECT_EQ(allocations(), before);
   EXPECT_EQ(out.size(), 6U);
+}
+
+TEST(RobotOrder, KeepsAllThreeWaysToMoveAsTheyAre) {
+  wire::proto::RobotCommand command;
+  command.set_id(7);
+  command.set_kick_speed(5);
+  auto& global = *command.mutable_move_command()->mutable_global_velocity();
+  global.set_x(1);
+  global.set_y(-2);
+  global.set_angular(3);
+  auto result = wire::decode_order(command);
+  const auto* order = std::get_if<wire::RobotOrder>(&result);
+  ASSERT_NE(order, nullptr);
+  EXPECT_EQ(order->command.number, 7);
+  EXPECT_EQ(order->command.kick_speed, 5);
+  const auto* in_field = std::get_if<wire::GlobalVelocity>(&order->move);
+  ASSERT_NE(in_field, nullptr);
+  EXPECT_EQ(in_field->velocity, world::Vector2d(1, -2));
+  EXPECT_EQ(in_field->angular_velocity, 3);
+
+  auto& wheels = *command.mutable_move_command()->mutable_wheel_velocity();
+  wheels.set_front_right(1);
+  wheels.set_back_right(2);
+  wheels.set_back_left(3);
+  wheels.set_front_left(4);
+  result = wire::decode_order(command);
+  order = std::get_if<wire::RobotOrder>(&result);
+  ASSERT_NE(order, nullptr);
+  const auto* rims = std::get_if<wire::WheelSpeeds>(&order->move);
+  ASSERT_NE(rims, nullptr);
+  EXPECT_EQ(rims->front_right, 1);
+  EXPECT_EQ(rims->back_right, 2);
+  EXPECT_EQ(rims->back_left, 3);
+  EXPECT_EQ(rims->front_left, 4);
+}
+
+TEST(RobotOrder, SaysWhatIsWrong) {
+  const auto problem_of = [](const std::function<void(wire::proto::RobotCommand&)>& spoil) {
+    wire::proto::RobotCommand command;
+    command.set_id(2);
+    spoil(command);
+    const auto result = wire::decode_order(command);
+    const auto* problem = std::get_if<wire::Problem>(&result);
+    return problem ? std::string(problem->code) + ": " + problem->message : "";
+  };
+  using Command = wire::proto::RobotCommand;
+  EXPECT_EQ(problem_of([](Command&) {}), "");
+  EXPECT_EQ(problem_of([](Command& c) { c.clear_id(); }), "ROBOT_ID: a robot command has no id");
+  EXPECT_EQ(problem_of([](Command& c) { c.set_id(16); }), "ROBOT_ID: robot 16: numbers go from 0 to 15");
+  EXPECT_EQ(problem_of([](Command& c) { c.set_kick_angle(91); }),
+            "INVALID_VALUE: robot 2: kick_angle = 91 must be from 0 to 90");
+  EXPECT_EQ(problem_of([](Command& c) { c.mutable_move_command()->mutable_global_velocity()->set_y(-101); }),
+            "INVALID_VALUE: robot 2: y = -101 must be from -100 to 100");
+  EXPECT_EQ(problem_of([](Command& c) {
+              c.mutable_move_command()->mutable_wheel_velocity()->set_back_left(nan_value);
+            }),
+            "INVALID_VALUE: robot 2: back_left = nan must be from -100 to 100");
+}
+
+TEST(RobotSpecs, BringEveryLimitAlong) {
+  // Different numbers everywhere, all of them exact as floats.
+  const world::RobotSpecs specs = {.id = {world::Team::Yellow, 3},
+                                   .radius = 0.0625,
+                                   .height = 0.125,
+                                   .mass = 2.25,
+                                   .center_to_dribbler = 0.046875,
+                                   .dribbler_width = 0.03125,
+                                   .max_speed = 1,
+                                   .max_speed_sideways = 2,
+                                   .max_acceleration = 3,
+                                   .max_acceleration_sideways = 4,
+                                   .max_brake = 5,
+                                   .max_brake_sideways = 6,
+                                   .max_angular_speed = 7,
+                                   .max_angular_acceleration = 8,
+                                   .max_angular_brake = 9,
+                                   .max_kick_speed = 6.5,
+                                   .max_chip_speed = 5.5};
+  wire::proto::RobotSpecs message;
+  wire::encode(specs, message);
+  const auto back = wire::decode(message);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->id, specs.id);
+  EXPECT_EQ(back->radius, specs.radius);
+  EXPECT_EQ(back->height, specs.height);
+  EXPECT_EQ(back->mass, specs.mass);
+  EXPECT_EQ(back->center_to_dribbler, specs.center_to_dribbler);
+  EXPECT_EQ(back->dribbler_width, specs.dribbler_width);
+  EXPECT_EQ(back->max_speed, specs.max_speed);
+  EXPECT_EQ(back->max_speed_sideways, specs.max_speed_sideways);
+  EXPECT_EQ(back->max_acceleration, specs.max_acceleration);
+  EXPECT_EQ(back->max_acceleration_sideways, specs.max_acceleration_sideways);
+  EXPECT_EQ(back->max_brake, specs.max_brake);
+  EXPECT_EQ(back->max_brake_sideways, specs.max_brake_sideways);
+  EXPECT_EQ(back->max_angular_speed, specs.max_angular_speed);
+  EXPECT_EQ(back->max_angular_acceleration, specs.max_angular_acceleration);
+  EXPECT_EQ(back->max_angular_brake, specs.max_angular_brake);
+  EXPECT_EQ(back->max_kick_speed, specs.max_kick_speed);
+  EXPECT_EQ(back->max_chip_speed, specs.max_chip_speed);
+}
+
+TEST(RobotSpecs, WithTheLeaguesFieldsOnlySidewaysIsAsForward) {
+  wire::proto::RobotSpecs message;
+  message.mutable_id()->set_id(1);
+  message.mutable_id()->set_team(matchday::simulation::BLUE);
+  message.mutable_limits()->set_vel_absolute_max(1.5);
+  message.mutable_limits()->set_acc_speedup_absolute_max(2.5);
+  message.mutable_limits()->set_acc_brake_absolute_max(3.5);
+  const auto specs = wire::decode(message);
+  ASSERT_TRUE(specs);
+  EXPECT_EQ(specs->max_speed_sideways, 1.5);
+  EXPECT_EQ(specs->max_acceleration_sideways, 2.5);
+  EXPECT_EQ(specs->max_brake_sideways, 3.5);
+  EXPECT_EQ(specs->max_angular_brake, world::RobotSpecs{}.max_angular_brake);
+}
+
+TEST(RobotSpecs, ApplyingChangesOnlyWhatIsSaid) {
+  world::RobotSpecs specs;
+  specs.max_speed_sideways = 1;
+  wire::WheelAngles wheels;
+  wire::proto::RobotSpecs message;
+  message.set_mass(2);
+  EXPECT_THAT(wire::apply(message, specs, wheels), IsEmpty());
+  EXPECT_EQ(specs.mass, 2);
+  EXPECT_EQ(specs.max_speed, 3);
+  EXPECT_EQ(specs.max_speed_sideways, 1);
+  EXPECT_EQ(wheels.front_right, wire::WheelAngles{}.front_right);
+
+  auto& angles = *message.mutable_wheel_angles();
+  angles.set_front_right(0.5F);
+  angles.set_back_right(2);
+  angles.set_back_left(4);
+  angles.set_front_left(5.5F);
+  EXPECT_THAT(wire::apply(message, specs, wheels), IsEmpty());
+  EXPECT_EQ(wheels.front_right, 0.5);
+  EXPECT_EQ(wheels.back_right, 2);
+  EXPECT_EQ(wheels.back_left, 4);
+  EXPECT_EQ(wheels.front_left, 5.5);
+}
+
+TEST(RobotSpecs, NamesBadFieldsAndPayloadsOfOthers) {
+  world::RobotSpecs specs;
+  wire::WheelAngles wheels;
+  const auto codes = [&](const std::function<void(wire::proto::RobotSpecs&)>& fill) {
+    wire::proto::RobotSpecs message;
+    fill(message);
+    std::string result;
+    for (const wire::Problem& problem : wire::apply(message, specs, wheels)) {
+      result += std::string(problem.code) + " ";
+    }
+    return result;
+  };
+  using Specs = wire::proto::RobotSpecs;
+  EXPECT_EQ(codes([](Specs& s) { s.set_radius(-1); }), "INVALID_SPEC ");
+  EXPECT_EQ(codes([](Specs& s) { s.mutable_limits()->set_vel_angular_max(infinity); }), "INVALID_SPEC ");
+  EXPECT_EQ(codes([](Specs& s) { s.mutable_wheel_angles()->set_back_left(1); }), "INVALID_SPEC ");
+  EXPECT_EQ(codes([](Specs& s) { s.add_custom()->set_type_url("x/sslsim.RobotSpecOthers"); }),
+            "UNSUPPORTED ");
+  EXPECT_EQ(codes([](Specs& s) {
+              s.add_custom()->set_type_url("type.googleapis.com/sslsim.RobotSpecErForce");
+              s.mutable_custom(0)->set_value("\xff");
+            }),
+            "UNSUPPORTED ");
+  EXPECT_EQ(specs.radius, world::RobotSpecs{}.radius);
+
+  // The league's copy has no package, ER-Force's program has one; both are meant.
+  for (const char* url :
+       {"type.googleapis.com/sslsim.RobotSpecErForce", "type.googleapis.com/RobotSpecErForce"}) {
+    matchday::simulation::RobotSpecErForce theirs;
+    theirs.set_dribbler_width(0.0625);
+    EXPECT_EQ(codes([&](Specs& s) {
+                s.add_custom()->set_type_url(url);
+                s.mutable_custom(0)->set_value(theirs.SerializeAsString());
+              }),
+              "");
+    EXPECT_EQ(specs.dribbler_width, 0.0625);
+    theirs.set_shoot_radius(0.1F);
+    EXPECT_EQ(codes([&](Specs& s) {
+                s.add_custom()->set_type_url(url);
+                s.mutable_custom(0)->set_value(theirs.SerializeAsString());
+              }),
+              "UNSUPPORTED ");
+  }
 }
 
 TEST(RobotSpecs, ComeBackAsFloats) {

@@ -1,0 +1,76 @@
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <iostream>
+
+#include "sim/server/program.h"
+
+namespace {
+
+std::atomic<bool> stop = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing else");
+
+extern "C" void ask_to_stop(int) { stop = true; }
+
+constexpr const char* footer = R"(
+Teams and tools connect as to any simulator of the league: SSL-Vision frames by multicast, the simulation
+protocol by UDP. Only programs on this machine are served unless --interface names another address.
+
+  ssl-sim                                  two teams of six on the field of 2015
+  ssl-sim --blue 0-10 --yellow none --realism none
+  ssl-sim --set vision.ball_sigma=0.002 --set radio.latency=3
+  ssl-sim --interface 192.168.1.5          for programs on other machines
+
+The protocol, error codes and limits: sim/server/README.md. Exit codes: 0 ended by --duration, Ctrl-C or TERM;
+2 bad input or an address that cannot be used; 70 a mistake in ssl-sim itself.)";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  server::Options options;
+  CLI::App app("ssl-sim: the simulator in real time on the network, for teams of the RoboCup SSL");
+  app.footer(footer);
+  app.add_option("--rules", options.rules, "rule set whose field is built")->capture_default_str();
+  app.add_option("--realism", options.realism, "none, friendly, measured or harsh")->capture_default_str();
+  app.add_option("--set", options.set, "KEY=NUMBER: change one number of the realism; may be given often")
+      ->allow_extra_args(false);
+  app.add_option("--blue", options.blue,
+                 "robots on the field, as 0-5 or 1,4,7 or none; default: as the rules");
+  app.add_option("--yellow", options.yellow, "the same");
+  app.add_option("--seed", options.seed, "the only source of chance")->capture_default_str();
+  app.add_option("--speed", options.speed, "simulated seconds in a second; 0: start paused")
+      ->capture_default_str();
+  app.add_option("--duration", options.duration, "stop after so many seconds");
+  app.add_option("--interface", options.interface, "IPv4 address to listen on and to send multicast by")
+      ->capture_default_str();
+  app.add_option("--vision-address", options.vision_address, "multicast group of the camera frames")
+      ->capture_default_str();
+  app.add_option("--vision-port", options.vision_port, "their port")->capture_default_str();
+  app.add_option("--control-port", options.control_port, "UDP port for SimulatorCommand")
+      ->capture_default_str();
+  app.add_option("--blue-port", options.blue_port, "UDP port for blue's RobotControl")->capture_default_str();
+  app.add_option("--yellow-port", options.yellow_port, "UDP port for yellow's RobotControl")
+      ->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help
+    std::cerr << "ssl-sim: " << error.what() << " (ssl-sim --help shows what is known)\n";
+    return 2;
+  }
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
+  try {
+    server::run(options, stop, std::cout, std::cerr);
+    return 0;
+  } catch (const std::runtime_error& error) {
+    std::cerr << "ssl-sim: " << error.what() << '\n';
+    return 2;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "ssl-sim: " << error.what() << '\n';
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "ssl-sim: a mistake in the program: " << error.what() << '\n';
+    return 70;
+  }
+}
