@@ -49,7 +49,7 @@ struct Engine::State {
       : model(completed(std::move(model_))),
         specs(all_robots(model)),
         world(model.geometry.field, specs, model.realism.physics, model.seed),
-        cameras(model.geometry, model.realism.vision, model.seed),
+        cameras(model.geometry, model.realism.vision, model.seed, model.realism.robots),
         queue(static_cast<std::size_t>(model.realism.radio.latency) + 1) {
     for (const world::Team team : world::both_teams) index[team].fill(-1);
     for (const world::RobotSpecs& one : specs) radios.emplace_back(one.id, model.realism.radio, model.seed);
