@@ -45,9 +45,11 @@ Order approach_and_kick(const kit::View& view, const kit::Robot& robot, double d
   const double heading_error = std::abs(world::wrap_angle(robot.orientation - direction));
   const double contact = robot.specs.center_to_dribbler + ball_radius;
 
-  const bool in_the_lane = ahead > contact - 0.02 && std::abs(sideways) < 0.02 + 0.15 * (ahead - contact);
+  // Two cameras may put robot and ball 40 mm nearer to each other than they are: on, until it touches.
+  const double gap = ahead - contact;
+  const bool in_the_lane = gap > -0.05 && std::abs(sideways) < 0.02 + 0.15 * std::max(gap, 0.0);
   if (in_the_lane && heading_error < 0.3 && ahead < 0.6) {
-    order.velocity = push(ball, robot, aim, std::clamp(0.25 + 4.0 * (ahead - contact), 0.3, 1.5));
+    order.velocity = push(ball, robot, aim, std::clamp(0.25 + 4.0 * gap, 0.3, 1.5));
     order.dribble = true;
     if (heading_error < tolerance && std::abs(sideways) < 0.02) {
       order.kick_speed = kick_speed;

@@ -6,7 +6,10 @@
 namespace skills {
 
 Limits driving_limits(const world::RobotSpecs& specs, double share) {
-  return {specs.max_speed, specs.max_acceleration * share, specs.max_brake * share};
+  // The worse of both axes: profiles are planned along one line, whatever the heading.
+  return {std::min(specs.max_speed, specs.max_speed_sideways),
+          std::min(specs.max_acceleration, specs.max_acceleration_sideways) * share,
+          std::min(specs.max_brake, specs.max_brake_sideways) * share};
 }
 
 Limits turning_limits(const world::RobotSpecs& specs, double share) {
