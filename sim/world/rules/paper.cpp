@@ -10,6 +10,7 @@ RuleSet paper() {
   rules.retake_keeps_call = false;      // Table 18, third row
   rules.direct_from_goal_line = false;  // Algorithm 2 and Table 11
   rules.touch.reach = false;            // 6.5.2 knows accel, line and backtrack only
+  rules.chip_model = false;             // 5.2 knows the ball on the ground only
   return rules;
 }
 

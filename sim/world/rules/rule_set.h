@@ -64,6 +64,7 @@ struct RuleSet {
   double free_kick_area_distance = 0.7;  ///< [m] attackers' free kicks from the opponents' defense area
   double free_kick_goal_line = 0.6;      ///< [m] free kicks inside a defense area: from the goal line
   TouchAlgorithms touch;
+  bool chip_model = true;  ///< the filter looks for balls in the air; false: the ball is always on the ground
 };
 
 /// The rule set of that name.
