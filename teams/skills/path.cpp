@@ -36,6 +36,29 @@ const Disc* first_in_the_way(const Vector2d& from, const Vector2d& to, const Obs
   return first;
 }
 
+// A point just outside the disc: straight away from its centre, else the direction nearest to that where
+// neither a wall nor another area is in the way.
+Vector2d way_out(const Vector2d& from, const Disc& disc, const Obstacles& obstacles) {
+  const Vector2d off = from - disc.center;
+  const Vector2d away = off.norm() > 1e-6 ? Vector2d(off.normalized()) : Vector2d(1, 0);
+  const auto is_free = [&](const Vector2d& place) {
+    if (std::abs(place.x()) > obstacles.walls.x() || std::abs(place.y()) > obstacles.walls.y()) return false;
+    for (std::size_t i = 0; i < obstacles.count; ++i) {
+      const Disc& other = obstacles.discs[i];
+      if (&other != &disc && other.wide && (place - other.center).norm() < other.radius) return false;
+    }
+    return true;
+  };
+  constexpr double step = 0.15;  // [rad]
+  for (int k = 0; k * step < 3.2; ++k) {
+    for (const int side : {1, -1}) {
+      const Vector2d exit = disc.center + world::rotated(away, side * k * step) * (disc.radius + 0.02);
+      if (is_free(exit)) return exit;
+    }
+  }
+  return disc.center + away * (disc.radius + 0.02);
+}
+
 Vector2d tangent_point(const Vector2d& from, const Disc& disc, int side) {
   const double radius = disc.radius + 0.02;  // [m] clear of the disc itself
   const Vector2d to_center = disc.center - from;
@@ -51,6 +74,8 @@ Obstacles obstacles_for(const kit::View& view, const kit::Robot& robot, const Or
   Obstacles obstacles;
   const world::Field& field = view.field();
   const double own_radius = robot.specs.radius;
+  const double run_off = field.boundary_width - own_radius - 0.02;  // not touching the wall
+  obstacles.walls = {field.half_length() + run_off, field.half_width() + run_off};
   if (order.robot_margin >= 0) {
     const double speed = std::max(1.5, robot.velocity.norm());
     for (const auto* robots : {&view.own, &view.opponents}) {
@@ -60,13 +85,12 @@ Obstacles obstacles_for(const kit::View& view, const kit::Robot& robot, const Or
         // Where it will be when we are there, but nobody drives straight on for long.
         const double time = std::min(distance / speed, 0.4);
         const double margin = order.robot_margin + std::min(0.1 * time, 0.05);
-        obstacles.add(
-            {other.position + other.velocity * time, own_radius + other.specs.radius + margin, false});
+        obstacles.add({other.position + other.velocity * time, own_radius + other.specs.radius + margin});
       }
     }
   }
   if (order.ball_distance >= 0 && view.ball.known) {
-    obstacles.add({view.ball.position, own_radius + field.ball_radius + order.ball_distance, true});
+    obstacles.add({view.ball.position, own_radius + field.ball_radius + order.ball_distance, true, true});
   }
   const auto add_area = [&](double sign, double margin) {
     const world::DefenseArea& area = field.defense_area;
@@ -86,7 +110,12 @@ Obstacles obstacles_for(const kit::View& view, const kit::Robot& robot, const Or
   return obstacles;
 }
 
-Path find_path(const Vector2d& from, const Vector2d& to, const Obstacles& obstacles, int side_before) {
+Path find_path(const Vector2d& from, const Vector2d& wanted, const Obstacles& obstacles, int side_before) {
+  Vector2d to = wanted;
+  for (std::size_t i = 0; i < obstacles.count; ++i) {
+    const Disc& disc = obstacles.discs[i];
+    if (disc.strict && (to - disc.center).norm() < disc.radius) to = way_out(to, disc, obstacles);
+  }
   // Out of an area first.
   for (std::size_t i = 0; i < obstacles.count; ++i) {
     const Disc& disc = obstacles.discs[i];
@@ -94,8 +123,7 @@ Path find_path(const Vector2d& from, const Vector2d& to, const Obstacles& obstac
     const Vector2d out = from - disc.center;
     const double depth = disc.radius - out.norm();
     if (depth < 0.01 || (to - disc.center).norm() < disc.radius - 0.01) continue;
-    const Vector2d exit = disc.center + (out.norm() > 1e-6 ? Vector2d(out.normalized()) : Vector2d(1, 0)) *
-                                            (disc.radius + 0.02);
+    const Vector2d exit = way_out(from, disc, obstacles);
     return {exit, (exit - from).norm(), 0};
   }
   Path path{to, (to - from).norm(), 0};

@@ -12,13 +12,15 @@ namespace skills {
 struct Disc {
   Vector2d center = Vector2d::Zero();  ///< [m]
   double radius = 0;                   ///< [m]
-  bool wide = false;  ///< an area: leave it by the shortest way; else a robot, left by steering
+  bool wide = false;    ///< an area: leave it by the shortest way; else a robot, left by steering
+  bool strict = false;  ///< a target inside is moved out; else the way goes as near to it as the disc lets us
 };
 
 /// A short list without allocation.
 struct Obstacles {
   std::array<Disc, 32> discs;
   std::size_t count = 0;
+  Vector2d walls = Vector2d::Constant(1e3);  ///< [m] a robot's centre stays within +- this
   void add(const Disc& disc) {
     if (count < discs.size()) discs[count++] = disc;
   }
