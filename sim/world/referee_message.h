@@ -18,6 +18,7 @@ struct TeamInfo {
   Duration timeout_time{};
   int keeper = 0;      ///< robot number
   int max_robots = 6;  ///< allowed on the field now
+  int yellow_cards = 0;  ///< ever shown
 };
 
 /// What the league's referee message says, in our units.
