@@ -30,15 +30,16 @@ int main(int argc, char** argv) {
       ->transform(CLI::CheckedTransformer(modes).description("{auto,referee,watch}"));
 
   std::string rules = "ssl-2015";
-  const CLI::App* table =
-      app.add_subcommand("automaton", "print the table of transitions as JSON, for scripts/draw_automaton.py");
+  const CLI::App* table = app.add_subcommand(
+      "automaton", "print the table of transitions as JSON, for scripts/draw_automaton.py");
   CLI::App* positions =
       app.add_subcommand("positions", "print as JSON where the ball goes for free kicks, for the same");
   positions->add_option("--rules", rules, "rule set")->capture_default_str();
 
   const std::vector<std::string_view> known = {"replay", "automaton", "positions"};
   if (argc > 1 && argv[1][0] != '-' && std::ranges::find(known, argv[1]) == known.end()) {
-    std::cerr << "ssl-autoref: unknown command '" << argv[1] << "'; known are: replay, automaton, positions\n";
+    std::cerr << "ssl-autoref: unknown command '" << argv[1]
+              << "'; known are: replay, automaton, positions\n";
     return 2;
   }
   try {

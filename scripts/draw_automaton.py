@@ -28,10 +28,10 @@ def die(sentence):
 # --- The automaton ---
 
 BOX = (140, 44)
-PLACES = {"INIT": (120, 90), "BREAK": (360, 90), "GAME_OFF": (360, 290), "GAME_ON": (960, 290), "SETUP": (660, 520)}
+PLACES = {"INIT": (90, 150), "BREAK": (360, 70), "GAME_OFF": (360, 290), "GAME_ON": (960, 290), "SETUP": (660, 520)}
 # Where the rows of an edge are written: offset from the middle of the edge, and the anchor of the text.
-LABELS = {("INIT", "GAME_OFF"): (-14, 16, "end"), ("GAME_OFF", "BREAK"): (-12, -14, "end"),
-          ("BREAK", "GAME_OFF"): (12, -14, "start"), ("GAME_ON", "GAME_OFF"): (0, -58, "middle"),
+LABELS = {("INIT", "GAME_OFF"): (-14, 20, "end"), ("GAME_OFF", "BREAK"): (12, -40, "start"),
+          ("BREAK", "GAME_OFF"): (-12, -40, "end"), ("GAME_ON", "GAME_OFF"): (0, -58, "middle"),
           ("GAME_OFF", "GAME_ON"): (0, 20, "middle"), ("GAME_OFF", "SETUP"): (-14, 30, "end"),
           ("SETUP", "GAME_OFF"): (16, -26, "start"), ("SETUP", "GAME_ON"): (16, 16, "start"),
           ("GAME_ON", "GAME_ON"): (0, 0, "start"), ("GAME_OFF", "GAME_OFF"): (0, 0, "end")}
@@ -39,11 +39,11 @@ NAMES_PER_LINE = 5
 LINE = 15
 
 
-def on_border(center, toward):
-    """Where the line from a box's centre leaves the box."""
-    dx, dy = toward[0] - center[0], toward[1] - center[1]
-    scale = min(BOX[0] / 2 / abs(dx) if dx else math.inf, BOX[1] / 2 / abs(dy) if dy else math.inf)
-    return center[0] + dx * scale, center[1] + dy * scale
+def on_border(center, toward, shift):
+    """Where the line from a box's centre to another's, both shifted, leaves the box."""
+    scale = min((math.copysign(size / 2, there - here) - aside) / (there - here)
+                for size, here, there, aside in zip(BOX, center, toward, shift) if there != here)
+    return tuple(here + aside + (there - here) * scale for here, there, aside in zip(center, toward, shift))
 
 
 def text_lines(x, y, anchor, lines, size=12):
@@ -64,8 +64,7 @@ def edge(start, end, rows):
         a, b = PLACES[start], PLACES[end]
         length = math.hypot(b[0] - a[0], b[1] - a[1])
         shift = (-(b[1] - a[1]) / length * 9, (b[0] - a[0]) / length * 9)  # so that both directions are seen
-        a, b = on_border(a, b), on_border(b, a)
-        a, b = (a[0] + shift[0], a[1] + shift[1]), (b[0] + shift[0], b[1] + shift[1])
+        a, b = on_border(a, b, shift), on_border(b, a, shift)
         path = f"M {a[0]:.0f} {a[1]:.0f} L {b[0]:.0f} {b[1]:.0f}"
         label = ((a[0] + b[0]) / 2 + dx, (a[1] + b[1]) / 2 + dy)
     return [f'<path d="{path}" fill="none" stroke="#444" stroke-width="1.5" marker-end="url(#tip)"/>',
@@ -131,13 +130,18 @@ def positions_svg(data):
         out.append(f'<g transform="translate({w / 2} {h * i + h / 2 + 0.2:.2f})">')
         out.append(f'<text x="0" y="{-h / 2 + 0.25:.2f}" font-size="0.24" text-anchor="middle" {FONT}>{title}</text>')
         out += field_svg(data)
+        stays, moves, ends = [], [], {}
         for point in data["points"]:
             (x, y), (u, v) = point["place"], point[key]
             if math.hypot(u - x, v - y) < 0.002:
-                out.append(f'<circle cx="{x:.2f}" cy="{-y:.2f}" r="0.015" fill="#bbb"/>')
+                stays.append(f"M{x:g} {-y:g}h0")
             else:
-                out.append(f'<path d="M {x:.2f} {-y:.2f} L {u:.3f} {-v:.3f}" stroke="{colour}" stroke-width="0.012" opacity="0.6"/>')
-                out.append(f'<circle cx="{u:.3f}" cy="{-v:.3f}" r="0.035" fill="{colour}"/>')
+                moves.append(f"M{x:g} {-y:g}L{u:.2f} {-v:.2f}")
+                ends[f"M{u:.2f} {-v:.2f}h0"] = None  # a set that keeps its order
+        dots = 'fill="none" stroke-linecap="round"'
+        out.append(f'<path d="{"".join(stays)}" {dots} stroke="#bbb" stroke-width="0.03"/>')
+        out.append(f'<path d="{"".join(moves)}" fill="none" stroke="{colour}" stroke-width="0.012" opacity="0.6"/>')
+        out.append(f'<path d="{"".join(ends)}" {dots} stroke="{colour}" stroke-width="0.07"/>')
         out.append("</g>")
     return "\n".join(out + ["</svg>", ""])
 

@@ -32,9 +32,10 @@ std::string table_json() {
   text += "],\n  \"rows\": [";
   bool first = true;
   for (const Row& row : transitions()) {
-    text += std::string(first ? "" : ",") + "\n    {\"name\": \"" + std::string(row.name) + "\", \"from\": \"" +
-            world::name(row.from) + "\", \"to\": \"" + world::name(row.to) + "\", \"condition\": \"" +
-            std::string(row.condition) + "\", \"sends\": " + (row.command ? "true" : "false") + "}";
+    text += std::string(first ? "" : ",") + "\n    {\"name\": \"" + std::string(row.name) +
+            "\", \"from\": \"" + world::name(row.from) + "\", \"to\": \"" + world::name(row.to) +
+            "\", \"condition\": \"" + std::string(row.condition) +
+            "\", \"sends\": " + (row.command ? "true" : "false") + "}";
     first = false;
   }
   return text + "\n  ]\n}\n";

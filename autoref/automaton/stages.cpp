@@ -16,9 +16,7 @@ bool is_before_half(Stage stage) {
   return stage == PreFirst || stage == PreSecond || stage == PreExtraFirst || stage == PreExtraSecond;
 }
 
-bool is_half_time(Stage stage) {
-  return stage == HalfTime || stage == ExtraBreak || stage == ExtraHalfTime;
-}
+bool is_half_time(Stage stage) { return stage == HalfTime || stage == ExtraBreak || stage == ExtraHalfTime; }
 
 Stage next_stage(const world::RuleSet& rules, Stage stage, bool draw) {
   switch (stage) {

@@ -164,7 +164,7 @@ void left_field(const Context& c, GameState& state) {
     next_restart(state, Indirect, kicker, kick_in_position(c.rules, point));
   } else {
     next_restart(state, c.rules.direct_from_goal_line ? Direct : Indirect, kicker,
-         goal_line_position(c.rules, point, toucher == defending));
+                 goal_line_position(c.rules, point, toucher == defending));
   }
 }
 

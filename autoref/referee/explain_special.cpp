@@ -63,7 +63,8 @@ std::optional<std::string> special_sentence(const Transition& transition, const 
   const char* kicker = world::name(transition.before.kick_team);
   if (row == "R15-15.b" || row == "R15-15.c") return again_text(transition);
   if (row == "R15-15.d") return "the penalty kick was no goal and time is up";
-  if (row == "R8-10.a") return "the shoot-out begins, first with " + std::string(world::name(after.kick_team));
+  if (row == "R8-10.a")
+    return "the shoot-out begins, first with " + std::string(world::name(after.kick_team));
   if (row == "R8-10.b") return fmt::format("{} scored; {}", kicker, shootout_text(after));
   if (row == "R8-10.c" || row == "R8-10.d") return fmt::format("{} missed; {}", kicker, shootout_text(after));
   if (row == "R8-10.e") {

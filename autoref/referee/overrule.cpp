@@ -21,7 +21,7 @@ using world::Location;
 using world::Stage;
 using world::Team;
 
-constexpr int most_goals = 99;                                       // ours: beyond it is a slip of the hand
+constexpr int most_goals = 99;                                      // ours: beyond it is a slip of the hand
 constexpr world::Duration longest_card = std::chrono::minutes{60};  // ours, likewise
 
 Verdict refused(std::string why) { return {std::move(why), {}}; }
@@ -100,7 +100,8 @@ Verdict act(const Pause&, Overruled& game) {
   const GameState& state = game.automaton.state();
   if (state.halted) return refused("the game is halted already");
   if (!automaton::can_halt(state)) {
-    return refused(fmt::format("the game cannot be paused in {}, nothing is going on", world::name(state.location)));
+    return refused(
+        fmt::format("the game cannot be paused in {}, nothing is going on", world::name(state.location)));
   }
   automaton::halt(game.automaton, game.ball);
   return done("pauses the game");
@@ -138,9 +139,8 @@ Verdict force_kick(const Command& command, Overruled& game) {
     send_due_kick(game);
     return done("sends " + text_of(command) + " at once");
   }
-  const world::Vector2d place = state.location == Location::GameOn
-                                    ? game.ball
-                                    : state.reset_position.value_or(game.ball);
+  const world::Vector2d place =
+      state.location == Location::GameOn ? game.ball : state.reset_position.value_or(game.ball);
   stop_play(game);
   game.decision.reset();
   if (command.kind == Penalty) {
@@ -158,7 +158,8 @@ Verdict force_kick(const Command& command, Overruled& game) {
 Verdict force_goal(Team scorer, Overruled& game) {
   GameState& state = game.automaton.state();
   if (!automaton::is_half(state.stage)) {
-    return refused(fmt::format("no goal can be awarded in {}; set the score instead", world::name(state.stage)));
+    return refused(
+        fmt::format("no goal can be awarded in {}; set the score instead", world::name(state.stage)));
   }
   ++state.score[scorer];
   state.halted = false;
@@ -227,7 +228,8 @@ Verdict act(const ForceCommand& wish, Overruled& game) {
 Verdict act(const SetScore& wish, Overruled& game) {
   for (const Team team : world::both_teams) {
     if (wish.score[team] < 0 || wish.score[team] > most_goals) {
-      return refused(fmt::format("a score of {} is impossible; 0 to {} goals are", wish.score[team], most_goals));
+      return refused(
+          fmt::format("a score of {} is impossible; 0 to {} goals are", wish.score[team], most_goals));
     }
   }
   game.automaton.state().score = wish.score;
@@ -238,13 +240,14 @@ Verdict act(const SetCards& wish, Overruled& game) {
   const int robots = game.automaton.rules().robots_per_team;
   const int yellow = static_cast<int>(wish.yellow.size());
   if (wish.red < 0 || wish.red > robots || yellow > robots) {
-    return refused(fmt::format("{} red and {} yellow cards are impossible; 0 to {} of each are", wish.red, yellow,
-                               robots));
+    return refused(fmt::format("{} red and {} yellow cards are impossible; 0 to {} of each are", wish.red,
+                               yellow, robots));
   }
   for (const world::Duration left : wish.yellow) {
     if (left.count() <= 0 || left > longest_card) {
-      return refused(fmt::format("a yellow card with {:.0f} s left is impossible; more than 0 and at most {:.0f} s are",
-                                 world::seconds(left), world::seconds(longest_card)));
+      return refused(
+          fmt::format("a yellow card with {:.0f} s left is impossible; more than 0 and at most {:.0f} s are",
+                      world::seconds(left), world::seconds(longest_card)));
     }
   }
   GameState& state = game.automaton.state();
@@ -259,7 +262,6 @@ Verdict act(const SetStage& wish, Overruled& game) {
   GameState& state = game.automaton.state();
   const world::RuleSet& rules = game.automaton.rules();
   const Stage stage = wish.stage;
-  if (state.location == Location::Init) return refused("the match has not begun");
   if (stage == state.stage) return refused(fmt::format("the stage is {} already", world::name(stage)));
   if ((automaton::ends_changed(stage) - automaton::ends_changed(state.stage)) % 2 != 0) {
     state.blue_on_positive_half = !state.blue_on_positive_half;
@@ -315,7 +317,9 @@ Verdict act(const SetBallPosition& wish, Overruled& game) {
 
 Verdict overrule(const Override& wish, Overruled& game) {
   if (wish.who.empty() || wish.why.empty()) return refused("an override must say who wants it and why");
-  if ((wish.who + wish.why).find('\n') != std::string::npos) return refused("who and why must be one line each");
+  if ((wish.who + wish.why).find('\n') != std::string::npos)
+    return refused("who and why must be one line each");
+  if (game.automaton.state().location == Location::Init) return refused("the match has not begun");
   return std::visit([&](const auto& what) { return act(what, game); }, wish.what);
 }
 

@@ -43,7 +43,7 @@ struct Referee::Inside {
   Output output_so_far();
   std::string overrule(const Override& wish);
   void halt_for_vision();
-  void resume_for_vision();
+  void resume_for_vision(bool new_clock);
   void report(std::string row, std::string sentence, std::optional<world::Command> command);
   void remember(const automaton::Transition& transition, const Call& call);
   world::Vector2d ball() const;
@@ -160,7 +160,7 @@ void Referee::Inside::halt_for_vision() {
          automaton.state().command);
 }
 
-void Referee::Inside::resume_for_vision() {
+void Referee::Inside::resume_for_vision(bool new_clock) {
   halted_for_vision = false;
   if (!automaton.state().halted) return;  // the operator was faster
   automaton.run_clock_to(frame.time);
@@ -170,10 +170,9 @@ void Referee::Inside::resume_for_vision() {
   const std::string kick = state.restart == world::CommandKind::Start
                                ? "neutral start"
                                : kick_name(state.restart) + " for " + world::name(state.kick_team);
-  report("vision",
-         fmt::format("images are back after {:.1f} s, next is the {}", world::seconds(frame.time - *last_tick),
-                     kick),
-         state.command);
+  const std::string when =
+      new_clock ? "with a new clock" : fmt::format("after {:.1f} s", world::seconds(frame.time - *last_tick));
+  report("vision", fmt::format("images are back {}, next is the {}", when, kick), state.command);
 }
 
 std::string Referee::Inside::overrule(const Override& wish) {
@@ -214,12 +213,13 @@ Output Referee::Inside::without_frame(std::optional<world::Time> clock) {
 
 Output Referee::Inside::tick() {
   records.clear();
-  if (last_tick && frame.time <= *last_tick) {
+  const bool new_clock = last_tick && frame.time <= *last_tick;
+  if (new_clock) {
     automaton.clock_restarted(frame.time);
   } else if (last_tick && frame.time - *last_tick >= setup.rules.vision_timeout) {
     halt_for_vision();
   }
-  if (halted_for_vision) resume_for_vision();
+  if (halted_for_vision) resume_for_vision(new_clock);
   blind_since.reset();
   last_tick = frame.time;
   calls = std::exchange(early_calls, {});
@@ -266,8 +266,7 @@ void Referee::Inside::write_message() {
     info.timeout_time = state.timeout_time[team];
     info.keeper = state.keeper[team];
     const int cards = state.red_cards[team] + static_cast<int>(state.yellow_times[team].size());
-    const bool shootout =
-        state.stage == world::Stage::ShootoutBreak || state.stage == world::Stage::Shootout;
+    const bool shootout = state.stage == world::Stage::ShootoutBreak || state.stage == world::Stage::Shootout;
     const int most = shootout ? setup.rules.shootout_robots : setup.robots[team];
     info.max_robots = std::clamp(setup.robots[team] - cards, 0, most);
   }

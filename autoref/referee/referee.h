@@ -50,7 +50,8 @@ class Referee {
   ///
   /// @param clock  the receiver's clock, any steady one; without it, a vision that stopped is noticed when it
   ///               is back
-  Output update(std::span<const world::Detection> detections, std::optional<world::Time> clock = std::nullopt);
+  Output update(std::span<const world::Detection> detections,
+                std::optional<world::Time> clock = std::nullopt);
 
   /// For those who have tracked frames already (tests, watching): the same without tracker and touch
   /// detection.

@@ -33,8 +33,8 @@ world::RuleSet rules_of(const record::MatchConfig& config) {
       throw std::invalid_argument("half_length " + std::to_string(*config.half_length) +
                                   ": more than 0 and at most 1200 seconds are possible");
     }
-    rules.extra_half_length = world::from_seconds(*config.half_length * world::seconds(rules.extra_half_length) /
-                                                  world::seconds(rules.half_length));
+    rules.extra_half_length = world::from_seconds(
+        *config.half_length * world::seconds(rules.extra_half_length) / world::seconds(rules.half_length));
     rules.half_length = world::from_seconds(*config.half_length);
   }
   rules.winner = config.winner;
@@ -109,8 +109,8 @@ record::MatchRecord Match::run() {
     record.reason = "the recording ends here";
   } catch (const Overlong&) {
     record.termination = Termination::Overlong;
-    record.reason = std::string("the game was not over after ") + (config_.winner ? "80" : "40") +
-                    " simulated minutes";
+    record.reason =
+        std::string("the game was not over after ") + (config_.winner ? "80" : "40") + " simulated minutes";
   }
   end(record);
   return record;

@@ -1,5 +1,5 @@
-// The operator's overrides (R-8-7): each done, reported with who and why, and play goes on correctly after it; each
-// also asked for where it makes no sense.
+// The operator's overrides (R-8-7): each done, reported with who and why, and play goes on correctly after
+// it; each also asked for where it makes no sense.
 #include <gmock/gmock.h>
 
 #include "tests/scenarios/scenario.h"
@@ -279,10 +279,11 @@ TEST(Override, TheShootoutIsSet) {
   expect_refused(story, referee::ForceCommand{Command{Start}}, "no neutral start");
 }
 
-TEST_P(OverrideScenario, TheMatchMustHaveBegunForAStage) {
+TEST_P(OverrideScenario, TheMatchMustHaveBegun) {
   Story story(GetParam());
   EXPECT_THAT(overrule(story, referee::SetStage{Stage::Second}), HasSubstr("has not begun"));
-  EXPECT_THAT(overrule(story, referee::ForceCommand{Command{Stop}}), HasSubstr("cannot be sent"));
+  EXPECT_THAT(overrule(story, referee::ForceCommand{Command{Stop}}), HasSubstr("has not begun"));
+  EXPECT_THAT(overrule(story, referee::SetScore{{1, 0}}), HasSubstr("has not begun"));
 }
 
 // --- The ball ---

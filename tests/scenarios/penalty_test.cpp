@@ -82,7 +82,8 @@ TEST_P(PenaltyScenario, AKeeperOffItsLineMakesAMissBeTakenAgain) {
   story.kick(yellow(1), {4.75, -0.9}, 5);
   story.wait(0.2);
   EXPECT_EQ(story.rows(), "R15-15.a R15-15.b");
-  EXPECT_EQ(story.last_call().restart, std::string("penalty kick for ") + world::name(story.seen(Team::Yellow)));
+  EXPECT_EQ(story.last_call().restart,
+            std::string("penalty kick for ") + world::name(story.seen(Team::Yellow)));
   line_up(story);
   ASSERT_TRUE(story.wait_for(Location::Setup));
   story.kick(yellow(1), {4.65, -0.2}, 5);
@@ -148,7 +149,8 @@ TEST_P(PenaltyScenario, CardsLowerTheNumberOfRobotsForTwoMinutesEach) {
   story.referee().end_timeout(team);
   story.tick();
   EXPECT_EQ(allowed(), 4);
-  for (int i = 0; i < 40 && allowed() == 4; ++i) story.wait(2);  // kicks are late, neutral starts, stuck balls
+  for (int i = 0; i < 40 && allowed() == 4; ++i)
+    story.wait(2);  // kicks are late, neutral starts, stuck balls
   EXPECT_EQ(allowed(), 5);
   EXPECT_LE(story.state().yellow_times[team][0], 60s);
   EXPECT_GT(story.state().yellow_times[team][0], 35s);  // removed at a stoppage, at most 25 s late

@@ -169,8 +169,7 @@ TEST(ExitPositions, AreLegalForBothTeams) {
       for (const double side : {-1.0, 1.0}) {
         places.push_back(kick_in_position(with, {share * half.x(), side * (half.y() + 0.0215)}));
         for (const bool corner : {false, true}) {
-          places.push_back(
-              goal_line_position(with, {side * (half.x() + 0.0215), share * half.y()}, corner));
+          places.push_back(goal_line_position(with, {side * (half.x() + 0.0215), share * half.y()}, corner));
         }
       }
     }

@@ -76,7 +76,9 @@ inline void expect_same_state(const GameState& expected, const GameState& actual
   expect_same("location_time", expected.location_time, actual.location_time);
 }
 
-inline Occurrence seen(decltype(world::GameEvent::what) what) { return occurrence_of({now, std::move(what)}); }
+inline Occurrence seen(decltype(world::GameEvent::what) what) {
+  return occurrence_of({now, std::move(what)});
+}
 inline Occurrence request(Request::Kind kind, Team team) {
   return {std::nullopt, std::nullopt, Request{kind, team}};
 }

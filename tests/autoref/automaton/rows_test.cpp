@@ -380,6 +380,21 @@ TEST(Transitions, HaveExactlyTheEdgesOfFigure6) {
   EXPECT_EQ(edges, expected);
 }
 
+// Names are cited in calls, tests and the picture.
+TEST(Transitions, HaveNamesOfTheirOwnAndConditionsInWords) {
+  std::set<std::string_view> names;
+  for (const Row& row : transitions()) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name << " is there twice";
+    EXPECT_FALSE(row.condition.empty()) << row.name;
+  }
+  // Every row of the normative list: none was lost.
+  for (const char* name : {"T10",   "T11.1", "T11.2", "T11.3", "T11.4", "T11.5", "T11.6", "T11.7", "T12.1",
+                           "T12.2", "T12.3", "T12.4", "I-1",   "T13",   "T14",   "T15.a", "T15.b", "T16.a",
+                           "T16.b", "T17.a", "T17.b", "T17.c", "T18.a", "T18.b", "T18.c", "T18.d"}) {
+    EXPECT_TRUE(names.contains(name)) << name;
+  }
+}
+
 // R-6.2-2: the flows of Table 4.
 TEST_F(Rows, TimeoutsAndCardsRunDownWhereTheyShould) {
   GameState& state = given(Location::Break);

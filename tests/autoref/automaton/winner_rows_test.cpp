@@ -1,4 +1,5 @@
-// One test per row that the paper lacks: penalty kicks (R-R15-15), extra time and shoot-out (R-8-10), cards (I-9).
+// One test per row that the paper lacks: penalty kicks (R-R15-15), extra time and shoot-out (R-8-10), cards
+// (I-9).
 #include "tests/autoref/automaton/rows.h"
 
 namespace automaton {
@@ -99,15 +100,16 @@ TEST_F(PenaltyRows, T11_1AGoalWithADefenderInTheWrongPlaceCounts) {
 
 TEST_F(PenaltyRows, R15_15_bNoGoalWithADefenderInTheWrongPlaceIsTakenAgain) {
   after_kick().penalty->defender = blue_0;
-  expect("R15-15.b", Command{Stop}, Location::GameOff,
-         {seen(world::BallLeftFieldGoalLine{{}, {4.5215, 1}})},
+  expect("R15-15.b", Command{Stop}, Location::GameOff, {seen(world::BallLeftFieldGoalLine{{}, {4.5215, 1}})},
          [](GameState& s) { next(s, Penalty, Team::Yellow, mark); });
 }
 
 TEST_F(PenaltyRows, T11_7APenaltyThatMissesIsAGoalKick) {
   after_kick();
   expect("T11.7", Command{Stop}, Location::GameOff, {seen(world::BallLeftFieldGoalLine{{}, {4.5215, 1}})},
-         [](GameState& s) { next(s, Direct, Team::Blue, {4.0, 2.9}); });
+         [](GameState& s) {
+           next(s, Direct, Team::Blue, {4.0, 2.9});
+         });
 }
 
 TEST_F(PenaltyRows, R15_15_cSavedWithADefenderInTheWrongPlaceIsTakenAgain) {
@@ -142,13 +144,15 @@ TEST_F(PenaltyRows, R15_15_ePlayGoesOnWhenItIsPlayedOut) {
   const Case cases[] = {
       {"the ball rests", [](GameState&, world::TrackedFrame& f) { f.ball->velocity.setZero(); }},
       {"an attacker plays the rebound",
-       [](GameState& s, world::TrackedFrame&) { s.last_touch = world::Touch{yellow_3, now, {4, 0}, 1.0}; }},
-      {"a defender clears it",
-       [](GameState& s, world::TrackedFrame&) { s.last_touch = world::Touch{blue_2, now, {4, 0}, 1.0}; }},
-      {"it takes too long",
        [](GameState& s, world::TrackedFrame&) {
-         s.penalty->taken = s.last_touch->time = now - 10s - 1ns;
+         s.last_touch = world::Touch{yellow_3, now, {4, 0}, 1.0};
        }},
+      {"a defender clears it",
+       [](GameState& s, world::TrackedFrame&) {
+         s.last_touch = world::Touch{blue_2, now, {4, 0}, 1.0};
+       }},
+      {"it takes too long",
+       [](GameState& s, world::TrackedFrame&) { s.penalty->taken = s.last_touch->time = now - 10s - 1ns; }},
   };
   for (const Case& one : cases) {
     SCOPED_TRACE(one.what);
@@ -169,8 +173,9 @@ TEST_F(PenaltyRows, ThePenaltyIsOnWhileTheBallRollsOrTheKeeperHasIt) {
 
 TEST_F(PenaltyRows, T18_aAPenaltyThatIsNotTakenIsANeutralStart) {
   given(Location::Setup).kick_deadline = now - 1ns;
-  expect("T18.a", Command{Stop}, Location::GameOff, {},
-         [](GameState& s) { next(s, Start, Team::Yellow, {2.8, 0}); });  // 0.7 m from the area
+  expect("T18.a", Command{Stop}, Location::GameOff, {}, [](GameState& s) {
+    next(s, Start, Team::Yellow, {2.8, 0});
+  });  // 0.7 m from the area
 }
 
 // --- Extra time ---
@@ -214,9 +219,8 @@ TEST_F(WinnerRows, T16_aALeadEndsTheGame) {
 }
 
 TEST_F(WinnerRows, T17_aExtraTimeBeginsWithEndsChanged) {
-  for (const auto& [from, to, team] :
-       {std::tuple{Stage::ExtraBreak, Stage::PreExtraFirst, Team::Yellow},
-        std::tuple{Stage::ExtraHalfTime, Stage::PreExtraSecond, Team::Blue}}) {
+  for (const auto& [from, to, team] : {std::tuple{Stage::ExtraBreak, Stage::PreExtraFirst, Team::Yellow},
+                                       std::tuple{Stage::ExtraHalfTime, Stage::PreExtraSecond, Team::Blue}}) {
     GameState& state = given(Location::Break);
     state.stage = from;
     state.stage_end = now - 1ns;
@@ -276,10 +280,11 @@ void missed(GameState& s) {
 }
 
 TEST_F(PenaltyRows, R8_10_cAMissInTheShootout) {
-  const std::vector<Occurrence> misses = {
-      seen(world::BallLeftFieldGoalLine{{}, {4.5215, 1}}), seen(world::BallLeftFieldTouchLine{{}, {1, 3.0215}}),
-      seen(world::AttackerDoubleTouchedBall{yellow_3, {4, 0}}), seen(world::NoProgressInGame{{4, 0}, 12s}),
-      seen(world::BotKickedBallTooFast{yellow_3, {3.5, 0}, 9.0})};
+  const std::vector<Occurrence> misses = {seen(world::BallLeftFieldGoalLine{{}, {4.5215, 1}}),
+                                          seen(world::BallLeftFieldTouchLine{{}, {1, 3.0215}}),
+                                          seen(world::AttackerDoubleTouchedBall{yellow_3, {4, 0}}),
+                                          seen(world::NoProgressInGame{{4, 0}, 12s}),
+                                          seen(world::BotKickedBallTooFast{yellow_3, {3.5, 0}, 9.0})};
   for (const Occurrence& miss : misses) {
     in_shootout(after_kick());
     expect("R8-10.c", Command{Stop}, Location::GameOff, {miss}, missed);
