@@ -44,6 +44,9 @@ class Automaton {
   /// instants are moved with it, and the detectors of the present location forget the past.
   void clock_restarted(world::Time time);
 
+  /// What the detectors saw in the last update, taken by a row or not.
+  std::span<const Occurrence> occurrences() const { return occurrences_; }
+
   void set_keeper(world::Team team, int number) { state_.keeper[team] = number; }
 
   const world::GameState& state() const { return state_; }

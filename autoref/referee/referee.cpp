@@ -111,6 +111,9 @@ Output Referee::Inside::tick() {
     if (row.name != "T14") message_changed = true;  // T14 changes nothing that teams are told
     if (is_call(transition)) calls.push_back(explain(transition, setup.rules));
   }
+  for (const automaton::Occurrence& occurrence : automaton.occurrences()) {
+    if (auto noted = note(occurrence, automaton.state())) calls.push_back(std::move(*noted));
+  }
   forget_answered_requests();
   write_message();
 

@@ -15,6 +15,23 @@ struct NameOf {
   std::string operator()(const world::AttackerDoubleTouchedBall&) const {
     return "AttackerDoubleTouchedBall";
   }
+  std::string operator()(const world::AimlessKick&) const { return "AimlessKick"; }
+  std::string operator()(const world::ChippedGoal&) const { return "ChippedGoal"; }
+  std::string operator()(const world::BotCrashUnique&) const { return "BotCrashUnique"; }
+  std::string operator()(const world::BotCrashDrawn&) const { return "BotCrashDrawn"; }
+  std::string operator()(const world::AttackerTouchedKeeper&) const { return "AttackerTouchedKeeper"; }
+  std::string operator()(const world::DefenderInDefenseArea& event) const {
+    return event.wholly ? "DefenderInDefenseArea" : "DefenderInDefenseAreaPartially";
+  }
+  std::string operator()(const world::AttackerTouchedBallInDefenseArea&) const {
+    return "AttackerTouchedBallInDefenseArea";
+  }
+  std::string operator()(const world::KeeperHeldBall&) const { return "KeeperHeldBall"; }
+  std::string operator()(const world::BotTooFastInStop&) const { return "BotTooFastInStop"; }
+  std::string operator()(const world::BotTooNearInStop&) const { return "BotTooNearInStop"; }
+  std::string operator()(const world::BotInterferedPlacement&) const { return "BotInterferedPlacement"; }
+  std::string operator()(const world::BotLeftField&) const { return "BotLeftField"; }
+  std::string operator()(const world::TooManyRobots&) const { return "TooManyRobots"; }
   std::string operator()(const world::NoProgressInGame&) const { return "NoProgressInGame"; }
   std::string operator()(const world::BallTouched&) const { return "BallTouched"; }
   std::string operator()(const world::KickTaken&) const { return "KickTaken"; }

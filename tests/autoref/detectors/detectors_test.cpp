@@ -204,7 +204,7 @@ TEST(Catalogue, RunsEachDetectorOnlyWhereItApplies) {
   world::GameState state;
   state.location = world::Location::Break;
   for (int i = 0; i < 2000; ++i) EXPECT_TRUE(all.update(frame_at(Time{i * 10ms}, {0, 4}), state).empty());
-  EXPECT_EQ(catalogue().size(), 9u);
+  EXPECT_EQ(catalogue().size(), 21u);
 }
 
 }  // namespace
