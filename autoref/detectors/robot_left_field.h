@@ -13,7 +13,8 @@ namespace detectors {
 ///         referee's walking area. Only doing so deliberately is punished, which nobody can measure: it is
 ///         noted.
 /// Guard   centre of the robot outside the lines - run_off  [m] for run_off_time.
-/// Resets  when the robot is back inside.
+/// Resets  when the robot is back inside; one that stays out from one passage of play to the next is noted
+///         once.
 class RobotLeftField final : public Detector {
  public:
   explicit RobotLeftField(const world::RuleSet& rules)
@@ -21,7 +22,11 @@ class RobotLeftField final : public Detector {
 
   std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
                                        const world::GameState& state) override;
-  void reset() override { watched_ = {}; }
+  void reset() override {
+    for (const world::Team team : world::both_teams) {
+      for (Watched& watched : watched_[team]) watched.since.reset();
+    }
+  }
 
  private:
   struct Watched {

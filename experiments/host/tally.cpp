@@ -58,7 +58,9 @@ void Tally::add(const referee::Call& call) {
   entry.sentence = call.sentence;
 
   if (call.stops_play) ++counted_.calls[entry.event.empty() ? "Time" : entry.event];
-  if (call.offender) ++counted_.fouls[call.offender->team];
+  const bool noted = call.row == "note";
+  if (call.offender && !noted) ++counted_.fouls[call.offender->team];
+  if (noted) ++counted_.counters["noted_" + entry.event];
   counted_.timeline.push_back(std::move(entry));
 }
 
@@ -80,6 +82,7 @@ void Tally::finish(const referee::Referee& referee, record::MatchRecord& record)
   record.fouls = counted_.fouls;
   record.stoppages = counted_.stoppages;
   record.timeline = std::move(counted_.timeline);
+  record.counters.merge(counted_.counters);
   record.counters["simulated_seconds"] = static_cast<double>(ticks_) * world::tick_length;
   record.counters["ball_in_play_seconds"] = static_cast<double>(ticks_in_play_) * world::tick_length;
   record.counters["referee_loop_defects"] = referee.loop_defects();

@@ -346,6 +346,20 @@ TEST_P(OffenceScenario, StayingOutsideTheFieldIsNoted) {
   EXPECT_EQ(story.commands(), "");
 }
 
+TEST_P(OffenceScenario, ARobotThatStaysOutsideIsNotedOnce) {
+  Story story = in_play(GetParam());
+  story.keep_robots();
+  story.drive({{yellow(0), {-1.5, -3.35}, 1.0}});
+  story.wait(2.2);
+  EXPECT_TRUE(story.saw("robot left field"));
+  story.kick(blue(3), {0.5, 3.3});
+  ASSERT_TRUE(story.wait_for(Location::Setup));
+  story.kick(yellow(3), {0.5, 0.0}, 2.0);
+  ASSERT_EQ(story.state().location, Location::GameOn);
+  story.wait(3);
+  EXPECT_FALSE(story.saw("robot left field"));
+}
+
 TEST_P(OffenceScenario, ADetourThroughTheRunOffIsFine) {
   Story story = in_play(GetParam());
   story.drive({{yellow(0), {-1.5, -3.35}, 1.0}});  // beyond it for a second
