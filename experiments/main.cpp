@@ -49,7 +49,9 @@ void add_play(CLI::App& main, commands::PlayOptions& options) {
   add_team(app, "blue", options.blue);
   add_team(app, "yellow", options.yellow);
   app.add_option("--seed", options.seed, "the only source of chance")->capture_default_str();
-  app.add_option("--rules", options.rules, "rule set: ssl-2015 or paper")->capture_default_str();
+  app.add_option("--rules", options.rules,
+                 "rule set: ssl-2015 or paper; with -field-2014 or -division-a, that field")
+      ->capture_default_str();
   add_realism(app, "--realism", options.realism);
   app.add_option("--half-length", options.half_length, "seconds of a half, if not the rule set's")
       ->check(half_length);

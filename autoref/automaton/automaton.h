@@ -54,6 +54,9 @@ class Automaton {
   /// Enters a location, perhaps the present one anew; its detectors forget the past.
   void enter(world::Location location);
 
+  /// What the detectors saw in the last update, taken by a row or not.
+  std::span<const Occurrence> occurrences() const { return occurrences_; }
+
   void set_keeper(world::Team team, int number) { state_.keeper[team] = number; }
 
   const world::GameState& state() const { return state_; }

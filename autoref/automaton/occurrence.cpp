@@ -1,16 +1,51 @@
 #include "autoref/automaton/occurrence.h"
 
 namespace automaton {
+namespace {
 
-std::optional<Foul> foul_of(const world::GameEvent& event) {
-  if (const auto* kick = std::get_if<world::BotKickedBallTooFast>(&event.what)) {
-    return Foul{kick->by, kick->location, Severity::Minor, Card::None};
+using enum Severity;
+
+/// One overload per event that is punished; the restart for fouls in play, a card in any location.
+struct FoulOf {
+  using Result = std::optional<Foul>;
+
+  // Law 12, indirect free kicks.
+  Result operator()(const world::BotKickedBallTooFast& e) const { return Foul{e.by, e.location, Minor}; }
+  Result operator()(const world::BotDribbledBallTooFar& e) const { return Foul{e.by, e.end, Minor}; }
+  Result operator()(const world::AimlessKick& e) const { return Foul{e.by, e.kick, Minor}; }
+  Result operator()(const world::ChippedGoal& e) const { return Foul{e.by, e.kick, Minor}; }
+  Result operator()(const world::AttackerTouchedKeeper& e) const { return Foul{e.by, e.location, Minor}; }
+  Result operator()(const world::AttackerTouchedBallInDefenseArea& e) const {
+    return Foul{e.by, e.ball, Minor};
   }
-  if (const auto* dribble = std::get_if<world::BotDribbledBallTooFar>(&event.what)) {
-    return Foul{dribble->by, dribble->end, Severity::Minor, Card::None};
+  Result operator()(const world::KeeperHeldBall& e) const { return Foul{e.by, e.location, Minor}; }
+
+  // Law 12, direct free kicks, and the penalty kick for them in the own area. Law 5: advantage.
+  Result operator()(const world::BotCrashUnique& e) const {
+    if (e.advantage) return std::nullopt;
+    return Foul{e.by, e.location, Serious};
   }
-  return std::nullopt;
-}
+
+  // Law 12: wholly inside a penalty kick; partly caution 8, and indirect since play is stopped for it (I-9).
+  Result operator()(const world::DefenderInDefenseArea& e) const {
+    if (e.wholly) return Foul{e.by, e.location, Serious};
+    return Foul{e.by, e.location, Minor, Card::Yellow};
+  }
+
+  // Law 12, caution 9. The ball is out of play: no free kick.
+  Result operator()(const world::BotTooFastInStop& e) const {
+    return Foul{e.by, e.location, Minor, Card::Yellow};
+  }
+
+  template <class NoFoul>
+  Result operator()(const NoFoul&) const {
+    return std::nullopt;
+  }
+};
+
+}  // namespace
+
+std::optional<Foul> foul_of(const world::GameEvent& event) { return std::visit(FoulOf{}, event.what); }
 
 Occurrence occurrence_of(const world::GameEvent& event) { return {event, foul_of(event), std::nullopt}; }
 

@@ -30,6 +30,41 @@ std::optional<world::RobotId> robot_in_wrong_half(const world::TrackedFrame& fra
   return std::nullopt;
 }
 
+std::optional<world::Touch> last_touch(const world::TrackedFrame& frame, const world::GameState& state,
+                                       world::Time time) {
+  std::optional<world::Touch> last = state.last_touch;
+  for (const world::Touch& touch : frame.touches) {
+    if (touch.time <= time && (!last || touch.time >= last->time)) last = touch;
+  }
+  return last;
+}
+
+bool in_play(const world::Field& field, const world::GameState& state, const world::Touch& touch) {
+  return touch.time >= state.location_time &&
+         world::distance_outside_lines(field, touch.position) <= field.ball_radius;
+}
+
+double depth_in_area(const world::Field& field, world::Side side, const Vector2d& robot) {
+  return field.robot_radius - world::distance_to_defense_area(field, side, robot);
+}
+
+std::optional<world::RobotId> keeper_with_ball(const world::Field& field, const world::TrackedFrame& frame,
+                                               const world::GameState& state) {
+  constexpr double at_hull = 0.02;
+  if (!frame.ball) return std::nullopt;
+  const Vector2d ball = on_ground(*frame.ball);
+  for (const world::Team team : world::both_teams) {
+    const world::Side side = world::defended_side(state, team);
+    if (world::distance_to_defense_area(field, side, ball) > 0) continue;
+    const world::RobotId id{team, static_cast<std::uint8_t>(state.keeper[team])};
+    const world::TrackedRobot* keeper = find_robot(frame, id);
+    if (!keeper) continue;
+    const double gap = hull_distance(field, *keeper, ball) - field.ball_radius;
+    if (keeper->ball_in_reach || gap < at_hull) return id;
+  }
+  return std::nullopt;
+}
+
 bool plausible_step(const Vector2d& from, const Vector2d& to, world::Duration between) {
   constexpr double fastest = 12.0;
   constexpr double slack = 0.1;

@@ -35,6 +35,26 @@ const world::TrackedRobot* nearest_robot(const world::TrackedFrame& frame, const
 std::optional<world::RobotId> robot_in_wrong_half(const world::TrackedFrame& frame,
                                                   const world::GameState& state);
 
+/// The last touch at or before `time`: of this frame, or else the one the game remembers.
+std::optional<world::Touch> last_touch(const world::TrackedFrame& frame, const world::GameState& state,
+                                       world::Time time);
+
+/// Whether the touch was of a ball in play: after play began and before the whole ball was out (I-33).
+bool in_play(const world::Field& field, const world::GameState& state, const world::Touch& touch);
+
+/// How far the hull of a robot at that place reaches into a defense area [m]; negative outside, more than two
+/// radii when the robot is wholly inside.
+double depth_in_area(const world::Field& field, world::Side side, const world::Vector2d& robot);
+
+/// The goalie that has the ball at its dribbler or within 20 mm of its hull, in its own defense area.
+std::optional<world::RobotId> keeper_with_ball(const world::Field& field, const world::TrackedFrame& frame,
+                                               const world::GameState& state);
+
+/// Whether robots must behave as under STOP (Table 1: GOAL too).
+inline bool is_stop(const world::GameState& state) {
+  return state.command.kind == world::CommandKind::Stop || state.command.kind == world::CommandKind::Goal;
+}
+
 /// Whether a ball can have gone from one place to the other: at most 12 m/s (a robot kicks with 10 m/s at
 /// most; 12 m/s is TIGERs' cap, reference "football" 4.2) and 0.1 m for the errors of a filter that is
 /// catching up (ours).

@@ -6,8 +6,6 @@
 namespace detectors {
 namespace {
 
-constexpr int frames_after_a_jump = 15;    // a quarter of a second, ours
-constexpr int extra_frames_in_mouth = 3;   // ours
 constexpr double goal_back_margin = 0.05;  // [m] overshoot of the filter at the goal's back, ours
 
 }  // namespace
@@ -48,8 +46,8 @@ std::vector<world::GameEvent> BallLeftField::update(const world::TrackedFrame& f
 int BallLeftField::frames_needed(bool in_mouth) const {
   const bool jumped = last_inside_ && !plausible_step(last_inside_->ball, first_outside_->ball,
                                                       first_outside_->time - last_inside_->time);
-  if (jumped) return frames_after_a_jump;
-  return frames_ + (in_mouth ? extra_frames_in_mouth : 0);
+  if (jumped) return frames_jump_;
+  return in_mouth ? frames_mouth_ : frames_;
 }
 
 }  // namespace detectors

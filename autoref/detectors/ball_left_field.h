@@ -15,13 +15,17 @@ namespace detectors {
 /// Resets  when the ball is inside. A ball between the posts is the goal detector's; here it counts neither
 /// as
 ///         inside nor as outside until it is behind the goal (a chip over the bar).
-/// Source  Algorithm 2 with I-6 and I-25. Ours: after a jump that no ball can make, 15 frames instead of 3,
-/// since
-///         it is more likely a false ball; for a way through the goal's mouth 3 frames more, since the filter
-///         runs through the goal's back before it believes the bounce.
+/// Source  Algorithm 2 with I-6 and I-25. Ours: after a jump that no ball can make, exit_frames_jump, since
+/// it
+///         is more likely a false ball; for a way through the goal's mouth exit_frames_mouth, since the
+///         filter runs through the goal's back before it believes the bounce.
 class BallLeftField final : public Detector {
  public:
-  explicit BallLeftField(const world::RuleSet& rules) : field_(rules.field), frames_(rules.exit_frames) {}
+  explicit BallLeftField(const world::RuleSet& rules)
+      : field_(rules.field),
+        frames_(rules.exit_frames),
+        frames_mouth_(rules.exit_frames_mouth),
+        frames_jump_(rules.exit_frames_jump) {}
 
   std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
                                        const world::GameState& state) override;
@@ -42,6 +46,8 @@ class BallLeftField final : public Detector {
 
   world::Field field_;
   int frames_;
+  int frames_mouth_;
+  int frames_jump_;
   std::optional<Sample> last_inside_;
   std::optional<Sample> first_outside_;
   int count_ = 0;          // observed frames outside in a row

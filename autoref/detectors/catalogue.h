@@ -34,9 +34,10 @@ struct Entry {
 /// The rulebook's table of game events: every detector with its applicability.
 std::span<const Entry> catalogue();
 
-/// One detector of every kind, run as the catalogue says.
+/// One detector of every kind that the rule set names, run as the catalogue says.
 class Detectors {
  public:
+  /// @throws std::invalid_argument for a name that is not in the catalogue
   explicit Detectors(const world::RuleSet& rules);
 
   /// To be called when the automaton enters a location, also anew: those that run there forget the past.
@@ -47,7 +48,12 @@ class Detectors {
   std::span<const world::GameEvent> update(const world::TrackedFrame& frame, const world::GameState& state);
 
  private:
-  std::vector<std::unique_ptr<Detector>> detectors_;  // as in the catalogue
+  struct Running {
+    Locations where;
+    std::unique_ptr<Detector> detector;
+  };
+
+  std::vector<Running> running_;  // in the order of the catalogue
   std::vector<world::GameEvent> events_;
 };
 

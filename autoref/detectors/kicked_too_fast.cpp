@@ -11,6 +11,7 @@ namespace {
 constexpr double tolerance = 1.02;
 constexpr int frames_needed = 4;
 constexpr double no_ball_is_faster = 12.0;  // [m/s]
+constexpr double least_way = 0.5;           // of the way that the limit would take it
 constexpr world::Duration recent_touch = std::chrono::milliseconds{300};
 
 }  // namespace
@@ -27,12 +28,16 @@ std::vector<world::GameEvent> KickedTooFast::update(const world::TrackedFrame& f
     began_.reset();
     count_ = 0;
     fastest_ = 0;
+    reported_ = false;
     return {};
   }
   if (count_ == 0) began_ = before_;
   ++count_;
   fastest_ = std::max(fastest_, speed);
-  if (count_ != frames_needed || !began_) return {};
+  if (reported_ || count_ < frames_needed || !began_) return {};
+  const double way = (*ball - began_->ball).norm();
+  if (way < least_way * max_speed_ * world::seconds(frame.time - began_->time)) return {};
+  reported_ = true;
 
   world::BotKickedBallTooFast kick{{}, began_->ball, fastest_};
   if (state.last_touch && began_->time - state.last_touch->time < recent_touch) {

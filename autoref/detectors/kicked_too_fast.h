@@ -11,8 +11,9 @@ namespace detectors {
 ///
 /// Rule    laws of 2015, Law 12: at most 8 m/s.
 /// Guard   speed - 1.02 max_ball_speed  [m/s]; certain with the fourth observed frame above it in a row
-/// (I-30; the
-///         authors' code waits as long). Speeds above 12 m/s are no ball's.
+///         (I-30; the authors' code waits as long), when the ball has also gone half the way that the limit
+///         would have taken it (ours: a hopping ball jumps to and fro between cameras). Speeds above 12 m/s
+///         are no ball's.
 /// Blames  the last toucher, when it touched the ball at most 0.3 s before; otherwise the robot that was
 /// nearest
 ///         when the ball sped up (ours).
@@ -28,6 +29,7 @@ class KickedTooFast final : public Detector {
     began_.reset();
     count_ = 0;
     fastest_ = 0;
+    reported_ = false;
   }
 
  private:
@@ -42,6 +44,7 @@ class KickedTooFast final : public Detector {
   std::optional<Sample> began_;   // where the ball was when it sped up
   int count_ = 0;                 // observed frames too fast in a row
   double fastest_ = 0;            // [m/s] in them
+  bool reported_ = false;
 };
 
 }  // namespace detectors

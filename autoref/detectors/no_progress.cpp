@@ -11,8 +11,9 @@ constexpr world::Duration window = std::chrono::seconds{1};
 
 }  // namespace
 
-std::vector<world::GameEvent> NoProgress::update(const world::TrackedFrame& frame, const world::GameState&) {
-  if (!progress_) progress_ = frame.time;
+std::vector<world::GameEvent> NoProgress::update(const world::TrackedFrame& frame,
+                                                 const world::GameState& state) {
+  if (!progress_ || (goalie_may_hold_ && keeper_with_ball(field_, frame, state))) progress_ = frame.time;
   if (const auto ball = observed_ball(frame)) {
     const bool moved = place_ && (*ball - *place_).norm() >= distance_;
     if (moved) progress_ = frame.time;

@@ -10,15 +10,18 @@ namespace detectors {
 /// NO_PROGRESS_IN_GAME: the ball is stuck.
 ///
 /// Rule    Law 5 of 2015 leaves it to the referee; the limits are those of the authors' code: less than 0.25
-/// m in
-///         each second, for 12 s.
+/// m
+///         in each second, for 12 s.
 /// Guard   time since progress - stuck_time  [s]. Progress is 0.25 m away from where the ball was at most one
-/// second
-///         before. A ball that nobody sees makes no progress.
+///         second before. A ball that nobody sees makes no progress; a ball that a goalie holds in its area
+///         is KEEPER_HELD_BALL's, where that rule runs.
 class NoProgress final : public Detector {
  public:
   explicit NoProgress(const world::RuleSet& rules)
-      : distance_(rules.stuck_distance), limit_(rules.stuck_time) {}
+      : field_(rules.field),
+        distance_(rules.stuck_distance),
+        limit_(rules.stuck_time),
+        goalie_may_hold_(world::runs(rules, "goalie holds the ball")) {}
 
   std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
                                        const world::GameState& state) override;
@@ -29,8 +32,10 @@ class NoProgress final : public Detector {
   }
 
  private:
+  world::Field field_;
   double distance_;
   world::Duration limit_;
+  bool goalie_may_hold_;
   std::optional<world::Time> progress_;     // when there was some last
   std::optional<world::Time> sample_time_;  // of `place_`
   std::optional<world::Vector2d> place_;    // [m]

@@ -8,7 +8,8 @@
 
 namespace referee {
 
-/// One decision of the referee that anyone on the field notices: it sent a command or stopped play.
+/// One decision of the referee that anyone on the field notices: it sent a command, stopped play, or showed a
+/// card. Offences that the laws leave without consequence are calls too, of row "note".
 struct Call {
   world::Time time;                         ///< of the frame it was made on
   std::string row;                          ///< of the paper's transition tables, such as "T11.7"

@@ -64,7 +64,10 @@ std::string restart_text(const Transition& transition) {
 std::string last_touch_text(const std::optional<world::Touch>& touch, world::Time when) {
   if (!touch) return "nobody was seen touching it";
   const double before = std::max(0.0, world::seconds(when - touch->time));
-  return fmt::format("last touched by {} {:.2f} s earlier", text(touch->robot), before);
+  std::string who = fmt::format("last touched by {} {:.2f} s earlier", text(touch->robot), before);
+  if (touch->probability < 0.995) who += fmt::format(" (probability {:.2f})", touch->probability);
+  if (touch->rival && touch->probability < 0.8) who += fmt::format(", or else by {}", text(*touch->rival));
+  return who;
 }
 
 std::string goal_text(const world::PossibleGoal& goal, const std::optional<world::Touch>& touch) {
@@ -77,18 +80,34 @@ std::string goal_text(const world::PossibleGoal& goal, const std::optional<world
                      text(touch->position));
 }
 
+std::string too_fast_text(const world::BotKickedBallTooFast& e, const world::RuleSet& rules) {
+  return fmt::format("{} kicked the ball at {:.1f} m/s, {:.1f} m/s is the limit", text(e.by), e.speed,
+                     rules.max_ball_speed);
+}
+
 std::string foul_text(const Transition& transition, const world::RuleSet& rules) {
-  if (const auto* kick = event<world::BotKickedBallTooFast>(transition)) {
-    return fmt::format("{} kicked the ball at {:.1f} m/s, {:.1f} m/s is the limit", text(kick->by),
-                       kick->speed, rules.max_ball_speed);
-  }
+  if (const auto* kick = event<world::BotKickedBallTooFast>(transition)) return too_fast_text(*kick, rules);
   if (const auto* dribble = event<world::BotDribbledBallTooFar>(transition)) {
     return fmt::format("{} dribbled the ball more than {:.2f} m, from {} to {}", text(dribble->by),
                        rules.max_dribble, text(dribble->start), text(dribble->end));
   }
-  const automaton::Foul& foul = *transition.occurrence.foul;
-  return fmt::format("{} committed a {}foul at {}", text(foul.by),
-                     foul.severity == automaton::Severity::Serious ? "serious " : "", text(foul.location));
+  return describe(*transition.occurrence.event);
+}
+
+// Rows tell by their effect that a card was shown, whatever they are called.
+std::string card_text(const Transition& transition) {
+  std::string cards;
+  for (const Team team : world::both_teams) {
+    const auto& before = transition.before;
+    const auto& after = transition.after;
+    if (after.yellow_times[team].size() > before.yellow_times[team].size()) {
+      cards += fmt::format(", yellow card for {}", world::name(team));
+    }
+    if (after.red_cards[team] > before.red_cards[team]) {
+      cards += fmt::format(", red card for {}", world::name(team));
+    }
+  }
+  return cards;
 }
 
 std::string kick_offence_text(const Transition& transition, const world::RuleSet& rules) {
@@ -188,10 +207,41 @@ std::optional<world::RobotId> offender(const Transition& transition) {
   return kick->wrong_half;
 }
 
+// Whose offence a noted event is: a robot's, or both teams' or a whole team's.
+struct NotedOffender {
+  std::optional<world::RobotId> robot;
+};
+
+std::optional<NotedOffender> noted_offender(const world::GameEvent& event) {
+  if (const auto* crash = std::get_if<world::BotCrashUnique>(&event.what)) return {{crash->by}};
+  if (const auto* near = std::get_if<world::BotTooNearInStop>(&event.what)) return {{near->by}};
+  if (const auto* in_way = std::get_if<world::BotInterferedPlacement>(&event.what)) return {{in_way->by}};
+  if (const auto* outside = std::get_if<world::BotLeftField>(&event.what)) return {{outside->by}};
+  const bool of_nobody = std::holds_alternative<world::BotCrashDrawn>(event.what) ||
+                         std::holds_alternative<world::TooManyRobots>(event.what);
+  if (of_nobody) return NotedOffender{};
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool is_call(const Transition& transition) {
   return transition.command.has_value() || stops(transition) || !card_text(transition).empty();
+}
+
+std::optional<Call> note(const automaton::Occurrence& occurrence, const GameState& state) {
+  if (!occurrence.event || occurrence.foul) return std::nullopt;
+  const auto by = noted_offender(*occurrence.event);
+  if (!by) return std::nullopt;
+  Call call;
+  call.time = state.time;
+  call.row = "note";
+  call.event = occurrence.event;
+  call.stage = state.stage;
+  call.score = state.score;
+  if (by->robot) call.offender = by->robot;
+  call.sentence = "noted: " + describe(*occurrence.event);
+  return call;
 }
 
 Call explain(const Transition& transition, const world::RuleSet& rules) {
@@ -205,12 +255,17 @@ Call explain(const Transition& transition, const world::RuleSet& rules) {
   call.offender = offender(transition);
   call.stage = after.stage;
   call.score = after.score;
-  call.restart = restart_text(transition);
+  const bool only_a_card = !transition.command && !call.stops_play;
+  if (!only_a_card) call.restart = restart_text(transition);
   if (!call.restart.empty()) call.position = after.reset_position;
 
   const std::optional<std::string> special = special_sentence(transition, rules);
-  if (call.stops_play) {
-    call.sentence = fmt::format("{}, so {}", special ? *special : cause_of(transition, rules), call.restart);
+  if (only_a_card) {
+    if (transition.occurrence.event) call.sentence = describe(*transition.occurrence.event);
+    call.sentence += card_text(transition);
+  } else if (call.stops_play) {
+    call.sentence = fmt::format("{}{}, so {}", special ? *special : cause_of(transition, rules),
+                                card_text(transition), call.restart);
     if (call.position) call.sentence += " from " + text(*call.position);
   } else if (special) {
     call.sentence = *special;
@@ -221,7 +276,6 @@ Call explain(const Transition& transition, const world::RuleSet& rules) {
   } else {
     call.sentence = progress_text(transition, rules);
   }
-  call.sentence += card_text(transition);
   return call;
 }
 
@@ -255,6 +309,57 @@ struct Describe {
   std::string operator()(const world::AttackerDoubleTouchedBall& e) const {
     return fmt::format("{} touched the ball again at {} after its own kick", text(e.by), text(e.location));
   }
+  std::string operator()(const world::AimlessKick& e) const {
+    return fmt::format(
+        "{} kicked from its own half at {} over the opponents' goal line at {}, untouched (icing)",
+        text(e.by), text(e.kick), text(e.location));
+  }
+  std::string operator()(const world::ChippedGoal& e) const {
+    return fmt::format(
+        "no goal: the ball was {:.2f} m high after {} chipped it at {}, and neither a team-mate "
+        "touched it nor did it roll before it went in",
+        e.highest, text(e.by), text(e.kick));
+  }
+  std::string operator()(const world::BotCrashUnique& e) const {
+    return fmt::format("{} ran into {} at {:.1f} m/s at {}{}", text(e.by), text(e.victim), e.speed,
+                       text(e.location), e.advantage ? ", advantage" : "");
+  }
+  std::string operator()(const world::BotCrashDrawn& e) const {
+    return fmt::format("{} and {} ran into each other at {:.1f} m/s at {}", text(e.robots.yellow),
+                       text(e.robots.blue), e.speed, text(e.location));
+  }
+  std::string operator()(const world::AttackerTouchedKeeper& e) const {
+    return fmt::format("{} touched the goalie {} in its area at {}", text(e.by), text(e.keeper),
+                       text(e.location));
+  }
+  std::string operator()(const world::DefenderInDefenseArea& e) const {
+    return fmt::format("{} touched the ball {} inside its own defense area at {}", text(e.by),
+                       e.wholly ? "wholly" : "partly", text(e.location));
+  }
+  std::string operator()(const world::AttackerTouchedBallInDefenseArea& e) const {
+    return fmt::format("{} touched the ball {:.2f} m inside the opponents' defense area at {}", text(e.by),
+                       e.depth, text(e.location));
+  }
+  std::string operator()(const world::KeeperHeldBall& e) const {
+    return fmt::format("the goalie {} held the ball for {:.0f} s at {}", text(e.by), world::seconds(e.held),
+                       text(e.location));
+  }
+  std::string operator()(const world::BotTooFastInStop& e) const {
+    return fmt::format("{} drove at {:.1f} m/s under STOP at {}", text(e.by), e.speed, text(e.location));
+  }
+  std::string operator()(const world::BotTooNearInStop& e) const {
+    return fmt::format("{} stayed {:.2f} m from the ball under STOP at {}", text(e.by), e.distance,
+                       text(e.location));
+  }
+  std::string operator()(const world::BotInterferedPlacement& e) const {
+    return fmt::format("{} stood in the way of the ball's placement at {}", text(e.by), text(e.location));
+  }
+  std::string operator()(const world::BotLeftField& e) const {
+    return fmt::format("{} was {:.2f} m outside the field at {}", text(e.by), e.distance, text(e.location));
+  }
+  std::string operator()(const world::TooManyRobots& e) const {
+    return fmt::format("{} plays with {} robots, {} are allowed", world::name(e.team), e.robots, e.allowed);
+  }
   std::string operator()(const world::NoProgressInGame& e) const {
     return fmt::format("the ball is stuck at {} for {:.0f} s", text(e.location), world::seconds(e.waited));
   }
@@ -283,6 +388,21 @@ std::string kind_of(const world::GameEvent& event) {
     const char* operator()(const world::BotKickedBallTooFast&) const { return "too fast"; }
     const char* operator()(const world::BotDribbledBallTooFar&) const { return "dribbled too far"; }
     const char* operator()(const world::AttackerDoubleTouchedBall&) const { return "double touch"; }
+    const char* operator()(const world::AimlessKick&) const { return "icing"; }
+    const char* operator()(const world::ChippedGoal&) const { return "chip goal"; }
+    const char* operator()(const world::BotCrashUnique&) const { return "collision"; }
+    const char* operator()(const world::BotCrashDrawn&) const { return "collision, drawn"; }
+    const char* operator()(const world::AttackerTouchedKeeper&) const { return "touched the goalie"; }
+    const char* operator()(const world::DefenderInDefenseArea&) const { return "defender in own area"; }
+    const char* operator()(const world::AttackerTouchedBallInDefenseArea&) const {
+      return "attacker in area";
+    }
+    const char* operator()(const world::KeeperHeldBall&) const { return "goalie holds the ball"; }
+    const char* operator()(const world::BotTooFastInStop&) const { return "too fast in stop"; }
+    const char* operator()(const world::BotTooNearInStop&) const { return "too near in stop"; }
+    const char* operator()(const world::BotInterferedPlacement&) const { return "interfered placement"; }
+    const char* operator()(const world::BotLeftField&) const { return "robot left field"; }
+    const char* operator()(const world::TooManyRobots&) const { return "too many robots"; }
     const char* operator()(const world::NoProgressInGame&) const { return "no progress"; }
     const char* operator()(const world::BallTouched&) const { return "ball touched"; }
     const char* operator()(const world::KickTaken&) const { return "kick taken"; }

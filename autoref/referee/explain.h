@@ -6,8 +6,11 @@
 
 namespace referee {
 
-/// Whether anyone on the field notices the transition: it sends a command or stops play.
+/// Whether anyone on the field notices the transition: it sends a command, stops play or shows a card.
 bool is_call(const automaton::Transition& transition);
+
+/// An offence without consequence, as a call of row "note"; nothing for anything else.
+std::optional<Call> note(const automaton::Occurrence& occurrence, const world::GameState& state);
 
 /// The transition as a call, with its sentence.
 Call explain(const automaton::Transition& transition, const world::RuleSet& rules);

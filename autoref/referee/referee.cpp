@@ -238,6 +238,9 @@ Output Referee::Inside::tick() {
     remember(transition, calls.back());
     if (std::exchange(status_is_special, false)) message.status = setup_text(setup);
   }
+  for (const automaton::Occurrence& occurrence : automaton.occurrences()) {
+    if (auto noted = note(occurrence, automaton.state())) calls.push_back(std::move(*noted));
+  }
   forget_answered_requests();
   write_message();
 

@@ -15,6 +15,23 @@ struct NameOf {
   std::string operator()(const world::AttackerDoubleTouchedBall&) const {
     return "AttackerDoubleTouchedBall";
   }
+  std::string operator()(const world::AimlessKick&) const { return "AimlessKick"; }
+  std::string operator()(const world::ChippedGoal&) const { return "ChippedGoal"; }
+  std::string operator()(const world::BotCrashUnique&) const { return "BotCrashUnique"; }
+  std::string operator()(const world::BotCrashDrawn&) const { return "BotCrashDrawn"; }
+  std::string operator()(const world::AttackerTouchedKeeper&) const { return "AttackerTouchedKeeper"; }
+  std::string operator()(const world::DefenderInDefenseArea& event) const {
+    return event.wholly ? "DefenderInDefenseArea" : "DefenderInDefenseAreaPartially";
+  }
+  std::string operator()(const world::AttackerTouchedBallInDefenseArea&) const {
+    return "AttackerTouchedBallInDefenseArea";
+  }
+  std::string operator()(const world::KeeperHeldBall&) const { return "KeeperHeldBall"; }
+  std::string operator()(const world::BotTooFastInStop&) const { return "BotTooFastInStop"; }
+  std::string operator()(const world::BotTooNearInStop&) const { return "BotTooNearInStop"; }
+  std::string operator()(const world::BotInterferedPlacement&) const { return "BotInterferedPlacement"; }
+  std::string operator()(const world::BotLeftField&) const { return "BotLeftField"; }
+  std::string operator()(const world::TooManyRobots&) const { return "TooManyRobots"; }
   std::string operator()(const world::NoProgressInGame&) const { return "NoProgressInGame"; }
   std::string operator()(const world::BallTouched&) const { return "BallTouched"; }
   std::string operator()(const world::KickTaken&) const { return "KickTaken"; }
@@ -41,7 +58,9 @@ void Tally::add(const referee::Call& call) {
   entry.sentence = call.sentence;
 
   if (call.stops_play) ++counted_.calls[entry.event.empty() ? "Time" : entry.event];
-  if (call.offender) ++counted_.fouls[call.offender->team];
+  const bool noted = call.row == "note";
+  if (call.offender && !noted) ++counted_.fouls[call.offender->team];
+  if (noted) ++counted_.counters["noted_" + entry.event];
   counted_.timeline.push_back(std::move(entry));
 }
 
@@ -63,6 +82,7 @@ void Tally::finish(const referee::Referee& referee, record::MatchRecord& record)
   record.fouls = counted_.fouls;
   record.stoppages = counted_.stoppages;
   record.timeline = std::move(counted_.timeline);
+  record.counters.merge(counted_.counters);
   record.counters["simulated_seconds"] = static_cast<double>(ticks_) * world::tick_length;
   record.counters["ball_in_play_seconds"] = static_cast<double>(ticks_in_play_) * world::tick_length;
   record.counters["referee_loop_defects"] = referee.loop_defects();

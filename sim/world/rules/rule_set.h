@@ -22,6 +22,8 @@ struct TouchAlgorithms {
 struct RuleSet {
   std::string name;
   Field field;
+  std::vector<std::string_view> detectors;  ///< those that run, by their names in the referee's catalogue
+  bool chip_model = true;  ///< the filter may understand a ball as flying; false: it is taken to roll
   int robots_per_team = 6;
 
   // The clock.
@@ -50,10 +52,14 @@ struct RuleSet {
   Duration penalty_time = std::chrono::seconds{10};  ///< from the kick: then it is decided
 
   // Stoppages.
-  double stop_speed = 1.5;           ///< [m/s]
-  double stop_distance = 0.5;        ///< [m] hull to ball
-  double ball_settled_speed = 0.1;   ///< [m/s] V_b of Algorithm 3
-  double robot_settled_speed = 0.4;  ///< [m/s] V_r of Algorithm 3
+  double stop_speed = 1.5;                        ///< [m/s]
+  double stop_speed_margin = 0.1;                 ///< [m/s] allowed above it for the errors of the filter
+  double stop_distance = 0.5;                     ///< [m] hull to ball
+  double distance_margin = 0.02;                  ///< [m] every distance of a robot may be short by so much
+  Duration stop_grace = std::chrono::seconds{2};  ///< before speeds and distances are watched
+  Duration stop_violation = std::chrono::milliseconds{300};  ///< a speed must be too high for so long
+  double ball_settled_speed = 0.1;                           ///< [m/s] V_b of Algorithm 3
+  double robot_settled_speed = 0.4;                          ///< [m/s] V_r of Algorithm 3
   Duration settled_for = std::chrono::seconds{1};
   Duration settle_limit = std::chrono::seconds{15};  ///< then play is restarted anyway
   double placement_tolerance = 0.05;                 ///< [m] ball to reset position
@@ -68,6 +74,8 @@ struct RuleSet {
 
   // Play.
   int exit_frames = 3;            ///< consecutive frames outside (Algorithm 2)
+  int exit_frames_mouth = 6;      ///< the same for a way through the mouth of a goal
+  int exit_frames_jump = 15;      ///< the same after a jump that no ball can make
   double touch_line_inset = 0.1;  ///< [m] kick-in
   double corner_inset = 0.1;      ///< [m] from both lines
   double goal_kick_inset = 0.5;   ///< [m] from the goal line
@@ -79,9 +87,23 @@ struct RuleSet {
   Duration stuck_time = std::chrono::seconds{12};
   double free_kick_area_distance = 0.7;  ///< [m] attackers' free kicks from the opponents' defense area
   double free_kick_goal_line = 0.6;      ///< [m] free kicks inside a defense area: from the goal line
+  double icing_margin = 0.2;             ///< [m] behind the halfway line a kick must have been for icing
+  double sure_touch = 0.8;               ///< least probability of a touch that is punished
+  double chip_height = 0.15;             ///< [m] top of the ball; from there on a shot is no goal
+  Duration chip_rolling = std::chrono::milliseconds{250};  ///< without flight: the ball has stopped bouncing
+  double crash_speed = 1.5;             ///< [m/s] closing, along the line between the robots
+  double crash_speed_difference = 0.3;  ///< [m/s] below it both robots are at fault
+  double crash_braking = 0.3;           ///< [m/s] taken off for braking that the filter has not seen yet
+  bool advantage = true;                ///< play goes on when the victim's team-mate has the ball
+  Duration keeper_hold = std::chrono::seconds{15};
+  double run_off = 0.25;                                  ///< [m] beyond the lines, where robots may drive
+  Duration run_off_time = std::chrono::seconds{2};        ///< before a robot beyond it is noted
+  Duration surplus_robot_time = std::chrono::seconds{2};  ///< before a robot too many is believed
   TouchAlgorithms touch;
-  bool chip_model = true;  ///< the filter looks for balls in the air; false: the ball is always on the ground
 };
+
+/// Whether the rule set runs the detector of that name.
+bool runs(const RuleSet& rules, std::string_view detector);
 
 /// The rule set of that name.
 ///

@@ -36,6 +36,18 @@ TEST(Play, AShortGameReachesItsEnd) {
   EXPECT_GT(record.costs.at("peak_memory_yellow"), 1 << 20);
 }
 
+// A design chooses the field by the name of the rule set (R-R15-16).
+TEST(Play, OtherFieldsAndThePapersRulesCanBePlayedOn) {
+  for (const char* rules : {"paper", "ssl-2015-field-2014", "ssl-2015-division-a", "paper-field-2014"}) {
+    auto config = fakes::short_game("wander", "wander");
+    config.rules = rules;
+    config.half_length = 2;
+    const auto record = play(config);
+    EXPECT_EQ(record.termination, Termination::Finished) << rules << ": " << record.reason;
+    EXPECT_EQ(record.counters.at("referee_loop_defects"), 0) << rules;
+  }
+}
+
 TEST(Play, TheSameGameHasTheSameHashAndAnotherSeedAnotherOne) {
   auto config = fakes::short_game("wander", "wander");
   const auto first = play(config);

@@ -28,10 +28,13 @@ TEST(Tally, CountsCallsFoulsAndWritesTheTimeline) {
   referee::Call fast = call({world::tick_time(5), world::BotKickedBallTooFast{}}, true);
   fast.offender = world::RobotId{world::Team::Blue, 3};
   const referee::Call settled = call({world::tick_time(9), world::RobotsSettled{}}, false);
-  const std::vector<referee::Call> calls = {fast, fast, settled};
+  referee::Call noted = call({world::tick_time(9), world::BotTooNearInStop{}}, false);
+  noted.row = "note";
+  noted.offender = world::RobotId{world::Team::Blue, 3};
+  const std::vector<referee::Call> calls = {fast, fast, settled, noted};
   referee::Output output;
   output.calls = calls;
-  EXPECT_EQ(tally.add(output, referee).size(), 3U);
+  EXPECT_EQ(tally.add(output, referee).size(), 4U);
   output.calls = {};
   EXPECT_TRUE(tally.add(output, referee).empty());
 
@@ -39,8 +42,9 @@ TEST(Tally, CountsCallsFoulsAndWritesTheTimeline) {
   tally.finish(referee, record);
   EXPECT_THAT(record.calls, ElementsAre(Pair("BotKickedBallTooFast", 2)));
   EXPECT_EQ(record.fouls, (world::PerTeam<int>{.yellow = 0, .blue = 2}));
+  EXPECT_EQ(record.counters["noted_BotTooNearInStop"], 1);  // and no foul that was called
   EXPECT_DOUBLE_EQ(record.counters["simulated_seconds"], 2 * world::tick_length);
-  ASSERT_EQ(record.timeline.size(), 3U);
+  ASSERT_EQ(record.timeline.size(), 4U);
   EXPECT_EQ(record.timeline[0], (record::CallEntry{world::tick_time(5), "T11.7", "BotKickedBallTooFast",
                                                    "STOP", "indirect free kick for blue", "why"}));
 }

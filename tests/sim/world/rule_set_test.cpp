@@ -31,5 +31,31 @@ TEST(RuleSet, ThePaperDiffersFromTheLawsWhereItIsPrintedOtherwise) {
   EXPECT_FALSE(rule_set("paper").direct_from_goal_line);
 }
 
+// The paper's ten events (6.4), of which two are guards in the automaton; its Table 11 has the double touch.
+TEST(RuleSet, ThePaperRunsItsTenEventsOnly) {
+  const RuleSet& paper = rule_set("paper");
+  EXPECT_THAT(paper.detectors, testing::UnorderedElementsAre("ball touched", "double touch", "ball too fast",
+                                                             "dribbled too far", "goal", "ball left field",
+                                                             "no progress", "kick taken", "robots settled"));
+  EXPECT_FALSE(runs(paper, "collision"));
+  EXPECT_TRUE(runs(rule_set("ssl-2015"), "collision"));
+  EXPECT_FALSE(paper.chip_model);
+  EXPECT_TRUE(paper.touch.accel && paper.touch.line && paper.touch.backtrack);
+  EXPECT_FALSE(paper.touch.reach);
+  EXPECT_EQ(paper.exit_frames, 3);
+  EXPECT_EQ(paper.exit_frames_mouth, 3);
+  EXPECT_EQ(paper.exit_frames_jump, 3);
+}
+
+// R-R15-16 and the larger field of today.
+TEST(RuleSet, EachCanBePlayedOnOtherFields) {
+  EXPECT_EQ(rule_set("ssl-2015").field.length, 9.0);
+  EXPECT_EQ(rule_set("ssl-2015-field-2014").field.length, 8.09);
+  EXPECT_EQ(rule_set("ssl-2015-field-2014").field.width, 6.05);
+  EXPECT_EQ(rule_set("paper-division-a").field.length, 12.0);
+  EXPECT_EQ(rule_set("paper-division-a").field.width, 9.0);
+  EXPECT_EQ(rule_set("paper-division-a").detectors, rule_set("paper").detectors);
+}
+
 }  // namespace
 }  // namespace world

@@ -1,0 +1,32 @@
+#include "autoref/detectors/attacker_in_area.h"
+
+#include <chrono>
+
+#include "autoref/detectors/ball.h"
+
+namespace detectors {
+namespace {
+
+constexpr world::Duration cool_down = std::chrono::seconds{2};
+
+}  // namespace
+
+std::vector<world::GameEvent> AttackerInArea::update(const world::TrackedFrame& frame,
+                                                     const world::GameState& state) {
+  past_.add(frame);
+  for (const world::Touch& touch : frame.touches) {
+    const world::RobotId robot = touch.robot;
+    if (touch.probability < sure_ || !in_play(field_, state, touch)) continue;
+    if (reported_ && frame.time - *reported_ < cool_down) continue;
+    const auto place = past_.position(robot, touch.time);
+    if (!place) continue;
+    const world::Side attacked = world::other(world::defended_side(state, robot.team));
+    const double depth = depth_in_area(field_, attacked, *place);
+    if (depth < margin_) continue;
+    reported_ = frame.time;
+    return {{touch.time, world::AttackerTouchedBallInDefenseArea{robot, *place, touch.position, depth}}};
+  }
+  return {};
+}
+
+}  // namespace detectors

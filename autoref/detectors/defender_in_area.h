@@ -1,0 +1,37 @@
+#pragma once
+
+#include "autoref/detectors/detector.h"
+#include "autoref/detectors/robot_past.h"
+#include "sim/world/rules/rule_set.h"
+
+namespace detectors {
+
+/// DEFENDER_IN_DEFENSE_AREA, ..._PARTIALLY: a robot touched the ball in play in its own defense area.
+///
+/// Rule    laws of 2015, Law 12: wholly inside a penalty kick; partly a yellow card (caution 8) and an
+/// indirect
+///         free kick (I-9). The goalie is exempt (I-8).
+/// Guard   a touch at least as probable as sure_touch by a robot whose hull reached distance_margin into the
+///         area at that time, or was all inside by distance_margin.
+/// Resets  a robot is reported at most every 2 s (TIGERs).
+class DefenderInArea final : public Detector {
+ public:
+  explicit DefenderInArea(const world::RuleSet& rules)
+      : field_(rules.field), margin_(rules.distance_margin), sure_(rules.sure_touch) {}
+
+  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
+                                       const world::GameState& state) override;
+  void reset() override {
+    past_.clear();
+    reported_.reset();
+  }
+
+ private:
+  world::Field field_;
+  double margin_;
+  double sure_;
+  RobotPast past_;
+  std::optional<world::Time> reported_;
+};
+
+}  // namespace detectors

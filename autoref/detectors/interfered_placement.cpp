@@ -1,0 +1,32 @@
+#include "autoref/detectors/interfered_placement.h"
+
+#include "autoref/detectors/ball.h"
+
+namespace detectors {
+
+std::vector<world::GameEvent> InterferedPlacement::update(const world::TrackedFrame& frame,
+                                                          const world::GameState& state) {
+  std::vector<world::GameEvent> events;
+  const auto ball = observed_ball(frame);
+  if (is_stop(state) && state.reset_position && !ball) return {};  // a frame without ball says nothing
+  const bool to_be_placed =
+      is_stop(state) && state.reset_position && (*ball - *state.reset_position).norm() > tolerance_;
+  for (const world::TrackedRobot& robot : frame.robots) {
+    if (robot.id.number > world::max_robot_number) continue;
+    Watched& watched = watched_[robot.id.team][robot.id.number];
+    const bool in_the_way =
+        to_be_placed &&
+        world::distance({*ball, *state.reset_position}, robot.position) - field_.robot_radius < distance_;
+    if (!in_the_way) {
+      watched.since.reset();
+      continue;
+    }
+    if (!watched.since) watched.since = frame.time;
+    if (watched.reported || frame.time - *watched.since < grace_) continue;
+    watched.reported = true;
+    events.push_back({frame.time, world::BotInterferedPlacement{robot.id, robot.position}});
+  }
+  return events;
+}
+
+}  // namespace detectors

@@ -1,0 +1,34 @@
+#include "autoref/detectors/keeper_held_ball.h"
+
+#include <chrono>
+
+#include "autoref/detectors/ball.h"
+
+namespace detectors {
+namespace {
+
+constexpr world::Duration separation = std::chrono::milliseconds{500};
+
+}  // namespace
+
+std::vector<world::GameEvent> KeeperHeldBall::update(const world::TrackedFrame& frame,
+                                                     const world::GameState& state) {
+  const auto holder = keeper_with_ball(field_, frame, state);
+  if (holder) {
+    if (!since_ || holder_ != holder) {
+      since_ = frame.time;
+      holder_ = holder;
+      reported_ = false;
+    }
+    last_ = frame.time;
+  } else if (since_ && frame.time - last_ > separation) {
+    since_.reset();
+    reported_ = false;
+  }
+  if (!since_ || reported_ || frame.time - *since_ <= limit_) return {};
+  reported_ = true;
+  const world::KeeperHeldBall held{*holder_, on_ground(*frame.ball), frame.time - *since_};
+  return {{frame.time, held}};
+}
+
+}  // namespace detectors
