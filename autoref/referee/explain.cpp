@@ -94,22 +94,6 @@ std::string foul_text(const Transition& transition, const world::RuleSet& rules)
   return describe(*transition.occurrence.event);
 }
 
-// Rows tell by their effect that a card was shown, whatever they are called.
-std::string card_text(const Transition& transition) {
-  std::string cards;
-  for (const Team team : world::both_teams) {
-    const auto& before = transition.before;
-    const auto& after = transition.after;
-    if (after.yellow_times[team].size() > before.yellow_times[team].size()) {
-      cards += fmt::format(", yellow card for {}", world::name(team));
-    }
-    if (after.red_cards[team] > before.red_cards[team]) {
-      cards += fmt::format(", red card for {}", world::name(team));
-    }
-  }
-  return cards;
-}
-
 std::string kick_offence_text(const Transition& transition, const world::RuleSet& rules) {
   const auto& kick = *event<world::KickTaken>(transition);
   const std::string when = fmt::format("when {} took the kick", text(kick.by));
