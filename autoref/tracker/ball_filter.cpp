@@ -1,6 +1,7 @@
 #include "autoref/tracker/ball_filter.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tracker {
 namespace {
@@ -116,6 +117,7 @@ void BallFilter::update(const Vector2d& measured) {
 
 BallFilter::Motion BallFilter::foretell(double dt) const {
   Motion mean;
+  std::array<Vector2d, phases> places;
   for (int i = 0; i < phases; ++i) {
     const BallEkf& now = beliefs_[i];
     const double speed = now.velocity.norm();
@@ -126,13 +128,24 @@ BallFilter::Motion BallFilter::foretell(double dt) const {
     const double roll_time = std::min(dt - slide_time, roll_speed / roll);
     const double way =
         (speed + roll_speed) / 2 * slide_time + (roll_speed - roll * roll_time / 2) * roll_time;
-    if (!(speed > 0)) {
-      mean.position += weights_[i] * now.position;
-      continue;
+    places[i] = now.position;
+    if (speed > 0) {
+      places[i] += now.velocity * (way / speed);
+      mean.velocity += weights_[i] * now.velocity * ((roll_speed - roll * roll_time) / speed);
     }
-    mean.position += weights_[i] * (now.position + now.velocity * (way / speed));
-    mean.velocity += weights_[i] * now.velocity * ((roll_speed - roll * roll_time) / speed);
+    mean.position += weights_[i] * places[i];
   }
+  Vector2d variance = Vector2d::Zero();
+  for (int i = 0; i < phases; ++i) {
+    const BallEkf& now = beliefs_[i];
+    const double noise = models_[i].noise * dt * dt * dt / 3;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double off = places[i][axis] - mean.position[axis];
+      variance[axis] += weights_[i] * (now.position_cov(axis, axis) + 2 * dt * now.cross_cov(axis, axis) +
+                                       dt * dt * now.velocity_cov(axis, axis) + noise + off * off);
+    }
+  }
+  mean.sigma = std::sqrt(variance.maxCoeff());
   return mean;
 }
 
@@ -140,6 +153,16 @@ Vector2d BallFilter::position() const {
   Vector2d mean = Vector2d::Zero();
   for (int i = 0; i < phases; ++i) mean += weights_[i] * beliefs_[i].position;
   return mean;
+}
+
+double BallFilter::velocity_variance() const {
+  const Vector2d mean = velocity();
+  Vector2d variance = Vector2d::Zero();
+  for (int i = 0; i < phases; ++i) {
+    const Vector2d off = beliefs_[i].velocity - mean;
+    variance += weights_[i] * (beliefs_[i].velocity_cov.diagonal() + off.cwiseAbs2());
+  }
+  return variance.maxCoeff();
 }
 
 Vector2d BallFilter::velocity() const {

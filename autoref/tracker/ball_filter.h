@@ -40,13 +40,15 @@ class BallFilter {
   struct Motion {
     Vector2d position = Vector2d::Zero();  ///< [m]
     Vector2d velocity = Vector2d::Zero();  ///< [m/s]
+    double sigma = 0;                      ///< [m] of the position, larger of both axes
   };
   /// Where the ball will be if nothing touches it; leaves the filter as it is. A sliding ball is taken to
   /// have just been kicked: it slides to the switch ratio of its present speed, then rolls.
   Motion foretell(double dt) const;
 
-  Vector2d position() const;  ///< [m] mean of the mixture
-  Vector2d velocity() const;  ///< [m/s]
+  Vector2d position() const;         ///< [m] mean of the mixture
+  Vector2d velocity() const;         ///< [m/s]
+  double velocity_variance() const;  ///< [m^2/s^2] of the mixture, larger of both axes
   double weight(Phase phase) const { return weights_[phase]; }
 
  private:

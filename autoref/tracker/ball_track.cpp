@@ -12,7 +12,7 @@ constexpr std::size_t max_candidates = 16;  // a swarm of false balls must not c
 constexpr double same_ball = 0.05;          // [m] two reports so near are one ball seen twice; a ball's width
 constexpr double wall_reach = 0.15;         // [m] a ball within this of a line may meet a post or wall; ours
 constexpr double start_sigma = 1.0;         // [m/s] of a velocity from two sightings; ours
-constexpr double held_tolerance = 0.06;     // [m] a held ball re-appears this near to its place; ours
+constexpr double held_tolerance = 0.02;     // [m] a hidden ball re-appears this near to its place; ours
 constexpr double least_gate = 0.01;  // [m] slack of the greatest speed, for noise and calibration; ours
 constexpr double half_frame =
     world::tick_length / 2;           // [s] two cameras' offset must not look like a speed; ours
@@ -21,6 +21,14 @@ constexpr double rival_speed = 2.0;   // [m/s] distance over this is how long a 
 constexpr world::Duration rival_least = 50ms;  // three frames
 constexpr world::Duration rival_most = 1s;
 constexpr world::Duration two_frames = 34ms;
+constexpr world::Duration before_seen = 4ms;     // a kick shows little so soon after it; ours
+constexpr world::Duration out_of_hiding = 50ms;  // a kicked ball comes into view within this; ours
+constexpr double kick_place_sigma = 0.010;       // [m] ours
+constexpr double hidden_kick_sigma = 0.025;      // [m] ours
+constexpr double landing_sigma = 0.5;            // [m/s] ours
+constexpr double hidden_sigma = 0.010;           // [m] at least, of a hidden ball (football.md 3.2)
+constexpr double robot_height = 0.15;            // [m] laws of 2015
+constexpr double pressed = 0.005;                // [m] a ball this deep in a hull has met it; ours
 
 double hull_gap(const world::Field& field, const world::TrackedRobot& robot, const world::Segment& path) {
   return world::distance(path, robot.position) - field.robot_radius - field.ball_radius;
@@ -38,26 +46,33 @@ bool in_dribbler_zone(const world::TrackedRobot& robot, const Vector2d& ball) {
 }
 
 BallTrack::BallTrack(const world::Geometry& geometry, const Params& params)
-    : field_(geometry.field), params_(params), filter_(geometry, params) {
+    : geometry_(geometry), field_(geometry.field), params_(params), filter_(geometry, params) {
   candidates_.reserve(max_candidates);
 }
 
 void BallTrack::reset() {
   known_ = false;
   hold_.reset();
+  hidden_.reset();
+  study_.reset();
+  match_.reset();
   candidates_.clear();
 }
 
-void BallTrack::age(world::Time now) {
+void BallTrack::age(world::Time now, std::span<const world::TrackedRobot> robots) {
   if (known_ && now - seen_ > params_.ball_memory) {
     known_ = false;
     hold_.reset();
+    hidden_.reset();
+    study_.reset();
   }
+  if (known_ && now - seen_ > two_frames) hide(now, robots);
   std::erase_if(candidates_, [now](const Candidate& candidate) { return candidate.stale(now); });
 }
 
 void BallTrack::see(std::span<const world::DetectedBall> balls, world::Time time, int camera,
                     std::span<const world::TrackedRobot> robots) {
+  match_.reset();
   const bool followed = known_ && (time < seen_ || follow(balls, time, camera, robots));
   if (followed && balls.size() == 1) return;
   for (const world::DetectedBall& ball : balls) {
@@ -79,30 +94,27 @@ bool BallTrack::could_be_struck(const Vector2d& from, const Vector2d& to,
 
 bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time time, int camera,
                        std::span<const world::TrackedRobot> robots) {
-  const double dt = world::seconds(time - seen_);
-  const Vector2d from = filter_.position();
+  const bool flies = study_ && study_->airborne() > 0.5;
+  const bool out_of_sight = !flies && time - seen_ > two_frames;
+  const auto hidden = out_of_sight ? concealed(time, robots) : std::nullopt;
+  const world::Camera* const eye = params_.ball_in_space ? camera_of(camera) : nullptr;
 
-  if (time - seen_ > two_frames) {  // unseen for a while, perhaps carried
-    if (const auto state = held(robots)) {
-      for (const world::DetectedBall& ball : balls) {
-        if ((ball.position - state->position).norm() > held_tolerance) continue;
-        filter_.start(ball.position, state->velocity, start_sigma);
-        seen_ = time;
-        camera_.used(camera, time);
-        remember_hold(robots);
-        return true;
-      }
-    }
-  }
-
+  // A ball that was hidden lies where it is believed to be, however long ago that was seen.
   BallFilter ahead = filter_;
-  const world::Segment path{from, from + filter_.velocity() * dt};
+  double dt = world::seconds(time - seen_);
+  if (hidden) {
+    ahead.start(hidden->position, hidden->velocity, start_sigma);
+    dt = std::min(dt, world::tick_length);
+  }
+  const Vector2d from = ahead.position();
+  const world::Segment path{from, from + ahead.velocity() * dt};
   const bool near_robot = std::ranges::any_of(robots, [&](const world::TrackedRobot& robot) {
     return hull_gap(field_, robot, path) < params_.near_gap;
   });
-  ahead.predict(dt, near_robot);
+  if (!hidden) ahead.predict(dt, near_robot);
 
-  const Vector2d expected = ahead.position();
+  const Vector2d expected =
+      flies && eye ? study_->filter_at(time).seen_from(eye->position) : ahead.position();
   const world::DetectedBall* nearest = nullptr;
   double nearest_distance = 0;
   for (const world::DetectedBall& ball : balls) {
@@ -114,25 +126,81 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   if (!nearest) return false;
 
   const Vector2d& measured = nearest->position;
+  const bool explained = study_ && eye && study_->explains(measured, time, eye->position);
   const bool expected_by_some = ahead.best_nis(measured) < params_.nis_gate;
   const bool agrees = expected_by_some && nearest_distance < CameraPreference::agreement;
-  if (!agrees && nearest_distance < disagreement && camera_.distrusts(camera, time)) return true;
+  if (!flies && nearest_distance < disagreement) {
+    match_ = Match{measured, ahead.velocity(), ahead.velocity_variance()};
+  }
+  if (!agrees && nearest_distance < disagreement && camera_.distrusts(camera, time)) {
+    if (explained) study(measured, time, eye, near_robot);
+    return true;
+  }
+  if (hidden && nearest_distance < held_tolerance) {
+    ahead.start(measured, hidden->velocity, start_sigma);
+    filter_ = ahead;
+    seen_ = time;
+    camera_.used(camera, time);
+    remember_hold(robots);
+    return true;
+  }
   const double travelled = (measured - from).norm();
-  if (travelled > params_.max_ball_speed * dt + least_gate) return false;
+  if (!explained && travelled > params_.max_ball_speed * dt + least_gate) return false;
+  bool kicked = false;
   if (expected_by_some) {
     ahead.update(measured);
+  } else if (explained) {
+    ahead.start(measured, filter_.velocity(), params_.kick_sigma);
   } else if (dt > 0 && could_be_struck(from, measured, robots)) {
     ahead.start(measured, (measured - from) / std::max(dt, half_frame), params_.kick_sigma);
+    kicked = true;
   } else if (nearest_distance < params_.ball_gate) {
     ahead.update(measured);
   } else {
     return false;
   }
+  if (kicked) {
+    study_.reset();
+    const bool by_robot = std::ranges::any_of(robots, [&](const world::TrackedRobot& robot) {
+      return hull_gap(field_, robot, {from, from}) < params_.near_gap;
+    });
+    if (by_robot && eye) {
+      KickPoint kick;
+      kick.earliest = hidden ? time - out_of_hiding : seen_ - before_seen;
+      kick.latest = time;
+      kick.place = from;
+      if (hidden) kick.carried = hidden->velocity;
+      kick.sigma = hidden ? hidden_kick_sigma : kick_place_sigma;
+      study_.emplace(geometry_, kick, params_.ball_sigma);
+    }
+  }
   filter_ = ahead;
   seen_ = time;
   camera_.used(camera, time);
+  study(measured, time, eye, near_robot);
   remember_hold(robots);
   return true;
+}
+
+// Where a ball is that nobody sees because a robot has it or hides it; nothing when it should be in view.
+std::optional<BallFilter::Motion> BallTrack::concealed(world::Time now,
+                                                       std::span<const world::TrackedRobot> robots) const {
+  if (hold_) return held(robots);
+  if (!hidden_) return std::nullopt;
+  return filter_.foretell(world::seconds(now - seen_));
+}
+
+void BallTrack::study(const Vector2d& measured, world::Time time, const world::Camera* camera,
+                      bool near_robot) {
+  if (!study_ || !camera) return;
+  study_->see(measured, time, camera->position, near_robot);
+  if (study_->over()) {
+    study_.reset();
+  } else if (study_->landed()) {
+    const AirFilter landed = study_->filter_at(time);
+    filter_.start(landed.position().head<2>(), landed.velocity().head<2>(), landing_sigma);
+    study_.reset();
+  }
 }
 
 void BallTrack::consider(const Vector2d& position, world::Time time) {
@@ -167,16 +235,67 @@ void BallTrack::take_over() {
   seen_ = best->last_seen();
   camera_ = {};
   hold_.reset();
+  hidden_.reset();
+  study_.reset();
   candidates_.clear();
+}
+
+BallTrack::Hold BallTrack::hold_of(const world::TrackedRobot& robot, const Vector2d& ball) {
+  return {robot.id, world::rotated(ball - robot.position, -robot.orientation)};
 }
 
 void BallTrack::remember_hold(std::span<const world::TrackedRobot> robots) {
   hold_.reset();
+  hidden_.reset();
   const Vector2d ball = filter_.position();
   for (const world::TrackedRobot& robot : robots) {
     if (!in_dribbler_zone(robot, ball)) continue;
-    hold_ = Hold{robot.id, world::rotated(ball - robot.position, -robot.orientation)};
+    hold_ = hold_of(robot, ball);
     return;
+  }
+}
+
+const world::Camera* BallTrack::camera_of(int id) const {
+  const auto found = std::ranges::find(geometry_.cameras, id, &world::Camera::id);
+  return found == geometry_.cameras.end() || !(found->position.z() > robot_height) ? nullptr : &*found;
+}
+
+// The robot between the ball and the camera nearest to it: the line of sight passes under the robot's top.
+const world::TrackedRobot* BallTrack::hider(const Vector2d& ball,
+                                            std::span<const world::TrackedRobot> robots) const {
+  const world::Camera* nearest = nullptr;
+  for (const world::Camera& camera : geometry_.cameras) {
+    const auto way = [&](const world::Camera& c) { return (c.position.head<2>() - ball).squaredNorm(); };
+    if (camera.position.z() > robot_height && (!nearest || way(camera) < way(*nearest))) nearest = &camera;
+  }
+  if (!nearest) return nullptr;
+  const double share = (robot_height - field_.ball_radius) / (nearest->position.z() - field_.ball_radius);
+  const world::Segment sight{ball, ball + share * (nearest->position.head<2>() - ball)};
+  for (const world::TrackedRobot& robot : robots) {
+    if (world::distance(sight, robot.position) < field_.robot_radius) return &robot;
+  }
+  return nullptr;
+}
+
+// A ball that nobody sees lies or rolls where a robot hides it; when it would have come into view, or have
+// rolled into a robot, it is with that robot.
+void BallTrack::hide(world::Time now, std::span<const world::TrackedRobot> robots) {
+  if (hold_ || (study_ && study_->airborne() > 0.5)) return;
+  const Vector2d from = filter_.position();
+  const Vector2d there = filter_.foretell(world::seconds(now - seen_)).position;
+  const double contact = field_.robot_radius + field_.ball_radius - pressed;
+  for (const world::TrackedRobot& robot : robots) {
+    const Vector2d nearest = world::closest_point({from, there}, robot.position);
+    const Vector2d off = nearest - robot.position;
+    if (off.norm() >= contact) continue;
+    const Vector2d out = off.norm() > 0 ? Vector2d(off.normalized()) : Vector2d(-robot.velocity.normalized());
+    hold_ = hold_of(robot, robot.position + out * (contact + pressed));
+    return;
+  }
+  if (const world::TrackedRobot* robot = hider(there, robots)) {
+    hidden_ = hold_of(*robot, there);
+  } else if (hidden_) {
+    hold_ = hidden_;
   }
 }
 
@@ -192,13 +311,25 @@ std::optional<BallFilter::Motion> BallTrack::held(std::span<const world::Tracked
 }
 
 world::TrackedBall BallTrack::foretell(world::Time time, std::span<const world::TrackedRobot> robots) const {
-  const world::Duration unseen = std::max(world::Duration{}, time - seen_);
-  const auto carried = unseen > two_frames ? held(robots) : std::nullopt;
-  const BallFilter::Motion state = carried ? *carried : filter_.foretell(world::seconds(unseen));
   world::TrackedBall ball;
+  ball.unseen = std::max(world::Duration{}, time - seen_);
+  if (study_) ball.airborne = study_->airborne();
+  if (ball.airborne > 0.5) {
+    const AirFilter air = study_->filter_at(time);
+    if (!air.rolls()) {
+      ball.position = air.position();
+      ball.velocity = air.velocity();
+      ball.sigma = air.sigma();
+      ball.flight = study_->flight_at(time);
+      return ball;
+    }
+    ball.airborne = 0;
+  }
+  const auto carried = ball.unseen > two_frames ? held(robots) : std::nullopt;
+  const BallFilter::Motion state = carried ? *carried : filter_.foretell(world::seconds(ball.unseen));
   ball.position.head<2>() = state.position;
   ball.velocity.head<2>() = state.velocity;
-  ball.unseen = unseen;
+  ball.sigma = carried || hidden_ ? std::max(hidden_sigma, state.sigma) : state.sigma;
   return ball;
 }
 

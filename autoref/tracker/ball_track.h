@@ -7,6 +7,7 @@
 #include "autoref/tracker/ball_filter.h"
 #include "autoref/tracker/camera_preference.h"
 #include "autoref/tracker/candidate.h"
+#include "autoref/tracker/kick_study.h"
 #include "sim/world/detection.h"
 #include "sim/world/tracked_frame.h"
 
@@ -19,7 +20,8 @@ bool in_dribbler_zone(const world::TrackedRobot& robot, const Vector2d& ball);
 ///
 /// A report belongs to the ball when some phase of its motion expects it; when it does not, but a robot, a
 /// wall or a goal could have struck the ball on the way, the ball was kicked and its velocity starts anew;
-/// else it is another ball or a teleport, and a candidate that must persist.
+/// else it is another ball or a teleport, and a candidate that must persist. A kick near a robot is studied:
+/// when the ball turns out to fly, what is published is in space until its hops end.
 class BallTrack {
  public:
   BallTrack(const world::Geometry& geometry, const Params& params);
@@ -29,31 +31,47 @@ class BallTrack {
   void see(std::span<const world::DetectedBall> balls, world::Time time, int camera,
            std::span<const world::TrackedRobot> robots);
 
-  /// Forgets a ball that was unseen too long.
-  void age(world::Time now);
+  /// Forgets a ball that was unseen too long; one that is hidden goes along with the robot that hides it.
+  /// @param robots  foretold to `now`
+  void age(world::Time now, std::span<const world::TrackedRobot> robots);
   void reset();
 
   bool known() const { return known_; }
   bool seen_since(world::Time time) const { return known_ && seen_ > time; }
+  /// The report of the last image that was the ball, when it lay or rolled; for comparing cameras.
+  struct Match {
+    Vector2d position = Vector2d::Zero();  ///< [m]
+    Vector2d velocity = Vector2d::Zero();  ///< [m/s] of the ball
+    double velocity_variance = 0;          ///< [m^2/s^2]
+  };
+  const std::optional<Match>& match() const { return match_; }
   /// Where it should be at an instant; while unseen, with the robot that had it at its dribbler.
   /// @param robots  foretold to `time`
   world::TrackedBall foretell(world::Time time, std::span<const world::TrackedRobot> robots) const;
 
  private:
-  struct Hold {  // the ball at a dribbler when it was last seen
+  struct Hold {  // the ball at a dribbler when it was last seen, or taken along by who hides it
     world::RobotId robot;
     Vector2d ball_local = Vector2d::Zero();  // [m]
   };
+  static Hold hold_of(const world::TrackedRobot& robot, const Vector2d& ball);
 
   bool follow(std::span<const world::DetectedBall> balls, world::Time time, int camera,
               std::span<const world::TrackedRobot> robots);
   void consider(const Vector2d& position, world::Time time);
   void take_over();
   std::optional<BallFilter::Motion> held(std::span<const world::TrackedRobot> robots) const;
+  std::optional<BallFilter::Motion> concealed(world::Time now,
+                                              std::span<const world::TrackedRobot> robots) const;
+  void hide(world::Time now, std::span<const world::TrackedRobot> robots);
+  const world::TrackedRobot* hider(const Vector2d& ball, std::span<const world::TrackedRobot> robots) const;
+  const world::Camera* camera_of(int id) const;
+  void study(const Vector2d& measured, world::Time time, const world::Camera* camera, bool near_robot);
   bool could_be_struck(const Vector2d& from, const Vector2d& to,
                        std::span<const world::TrackedRobot> robots) const;
   void remember_hold(std::span<const world::TrackedRobot> robots);
 
+  world::Geometry geometry_;
   world::Field field_;
   Params params_;
   BallFilter filter_;
@@ -61,6 +79,9 @@ class BallTrack {
   world::Time seen_;
   CameraPreference camera_;
   std::optional<Hold> hold_;
+  std::optional<Hold> hidden_;  // where it was, seen from the robot that hid it in the last frame
+  std::optional<KickStudy> study_;
+  std::optional<Match> match_;
   std::vector<Candidate> candidates_;
 };
 

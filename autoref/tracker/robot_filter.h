@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "autoref/tracker/params.h"
@@ -60,8 +61,9 @@ class RobotFilter {
 
   Vector2d position() const { return {x_.x, y_.x}; }
   Vector2d velocity() const { return {x_.v, y_.v}; }
-  double heading() const { return heading_.x; }           ///< [rad] in (-pi, pi]
-  double angular_velocity() const { return heading_.v; }  ///< [rad/s]
+  double velocity_variance() const { return std::max(x_.vv, y_.vv); }  ///< [m^2/s^2]
+  double heading() const { return heading_.x; }                        ///< [rad] in (-pi, pi]
+  double angular_velocity() const { return heading_.v; }               ///< [rad/s]
 
  private:
   double q_, q_turn_, r_, r_heading_;

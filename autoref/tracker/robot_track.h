@@ -22,6 +22,8 @@ class RobotTrack {
   void see(const Vector2d& position, std::optional<double> heading, world::Time time, int camera);
 
   bool known() const { return known_; }
+  Vector2d velocity() const { return filter_.velocity(); }                  ///< [m/s] when last seen
+  double velocity_variance() const { return filter_.velocity_variance(); }  ///< [m^2/s^2] per axis
   /// Distance of a sighting from where the robot is expected [m]; zero when it is not known.
   double surprise(const Vector2d& position, world::Time time) const;
   bool seen_since(world::Time time) const { return known_ && seen_ > time; }

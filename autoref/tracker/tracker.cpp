@@ -17,6 +17,9 @@ constexpr std::size_t max_cameras = 64;   // ids beyond are nonsense; the league
 constexpr std::size_t max_balls = 64;     // of one image; ours
 constexpr std::int64_t max_time = 3'000'000'000'000'000'000;  // [ns] differences must not overflow
 
+constexpr world::Duration same_frame = 17ms;  // two cameras' images so near show one instant; ours
+constexpr double one_thing = 0.15;            // [m] farther apart, two cameras do not show one thing; ours
+
 constexpr int numbers = world::max_robot_number + 1;
 
 std::size_t index_of(world::Team team, int number) {
@@ -34,7 +37,9 @@ bool has_usable_time(const world::Detection& detection) {
 
 }  // namespace
 
-Tracker::Tracker(world::Geometry geometry, Params params) : params_(params), ball_(geometry, params) {
+Tracker::Tracker(world::Geometry geometry, Params params)
+    : params_(params), ball_(geometry, params), bias_(params) {
+  robot_sightings_.resize(2 * numbers);
   robots_.reserve(2 * numbers);
   for (const world::Team team : world::both_teams) {
     for (int number = 0; number < numbers; ++number) {
@@ -46,6 +51,9 @@ Tracker::Tracker(world::Geometry geometry, Params params) : params_(params), bal
 void Tracker::reset() {
   for (RobotTrack& robot : robots_) robot.reset();
   ball_.reset();
+  bias_.reset();
+  std::ranges::fill(robot_sightings_, std::nullopt);
+  ball_sighting_.reset();
   cameras_.clear();
   started_ = false;
   batches_from_the_past_ = 0;
@@ -114,6 +122,7 @@ const world::TrackedFrame* Tracker::update(std::span<const world::Detection> det
 
 void Tracker::take_in(const world::Detection& detection) {
   const world::Time time = detection.t_capture;
+  const Vector2d bias = bias_.applied(detection.camera);
 
   // The nearest to expectation of those that claim one id.
   std::array<const world::DetectedRobot*, 2 * numbers> claims{};
@@ -124,7 +133,10 @@ void Tracker::take_in(const world::Detection& detection) {
     const std::size_t index = index_of(robot.team, *robot.number);
     const RobotTrack& track = robots_[index];
     const world::DetectedRobot*& claim = claims[index];
-    if (claim && track.surprise(robot.position, time) >= track.surprise(claim->position, time)) continue;
+    if (claim &&
+        track.surprise(robot.position - bias, time) >= track.surprise(claim->position - bias, time)) {
+      continue;
+    }
     claim = &robot;
     claimed |= 1u << index;
   }
@@ -132,17 +144,50 @@ void Tracker::take_in(const world::Detection& detection) {
     if ((claimed & 1u) == 0) continue;
     const world::DetectedRobot& robot = *claims[index];
     const bool has_heading = robot.orientation && std::abs(*robot.orientation) < 1e6;  // false for NaN
-    robots_[index].see(robot.position, has_heading ? robot.orientation : std::nullopt, time,
-                       detection.camera);
+    RobotTrack& track = robots_[index];
+    track.see(robot.position - bias, has_heading ? robot.orientation : std::nullopt, time, detection.camera);
+    if (!track.known()) continue;
+    compare(robot_sightings_[index], {detection.camera, time, robot.position}, track.velocity(),
+            track.velocity_variance(), params_.robot_sigma);
   }
 
+  see_balls(detection, bias);
+
+  // In an order that knows nothing of colours and directions, so that they do not matter.
+  const auto size = [](const Comparison& c) { return c.difference.squaredNorm(); };
+  std::ranges::sort(comparisons_, {}, size);
+  for (const Comparison& c : comparisons_) bias_.compare(c.camera, c.other, c.difference, c.variance, time);
+  comparisons_.clear();
+}
+
+void Tracker::see_balls(const world::Detection& detection, const Vector2d& bias) {
+  const world::Time time = detection.t_capture;
   balls_.clear();
   for (const world::DetectedBall& ball : detection.balls) {
-    if (is_plausible(ball.position) && balls_.size() < max_balls) balls_.push_back(ball);
+    if (!is_plausible(ball.position) || balls_.size() >= max_balls) continue;
+    balls_.push_back(ball);
+    balls_.back().position -= bias;
   }
   if (balls_.empty()) return;
   foretell_robots(time, foretold_);
   ball_.see(balls_, time, detection.camera, foretold_);
+  if (const auto& match = ball_.match()) {
+    compare(ball_sighting_, {detection.camera, time, match->position + bias}, match->velocity,
+            match->velocity_variance, params_.ball_sigma);
+  }
+}
+
+void Tracker::compare(std::optional<Sighting>& last, const Sighting& now, const Vector2d& velocity,
+                      double velocity_variance, double sigma) {
+  const std::optional<Sighting> before = std::exchange(last, now);
+  if (!before || before->camera == now.camera) return;
+  const world::Duration apart = now.time - before->time;
+  if (apart < world::Duration{} || apart > same_frame) return;
+  const double dt = world::seconds(apart);
+  const Vector2d difference = now.position - before->position - velocity * dt;
+  if (difference.norm() > one_thing) return;
+  comparisons_.push_back(
+      {now.camera, before->camera, difference, 2 * sigma * sigma + velocity_variance * dt * dt});
 }
 
 void Tracker::foretell_robots(world::Time time, std::vector<world::TrackedRobot>& out) const {
@@ -155,11 +200,12 @@ void Tracker::foretell_robots(world::Time time, std::vector<world::TrackedRobot>
 
 void Tracker::publish(world::Time time, world::Time before) {
   for (RobotTrack& robot : robots_) robot.age(time);
-  ball_.age(time);
+  bias_.advance();
 
   frame_.time = time;
   frame_.touches.clear();
   foretell_robots(time, frame_.robots);
+  ball_.age(time, frame_.robots);
   frame_.ball.reset();
   if (ball_.known()) {
     frame_.ball = ball_.foretell(time, frame_.robots);

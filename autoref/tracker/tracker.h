@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "autoref/tracker/ball_track.h"
+#include "autoref/tracker/camera_bias.h"
 #include "autoref/tracker/params.h"
 #include "autoref/tracker/robot_track.h"
 #include "sim/world/detection.h"
@@ -33,6 +34,9 @@ class Tracker {
   /// The last frame; empty before the first.
   const world::TrackedFrame& frame() const { return frame_; }
 
+  /// Where each camera sees things beside where all together see them.
+  const CameraBias& bias() const { return bias_; }
+
   /// How often time was found to start anew.
   int restarts() const { return restarts_; }
 
@@ -42,9 +46,23 @@ class Tracker {
     world::Time last;
   };
 
+  struct Sighting {  // as the camera reported it, for comparing cameras
+    int camera = 0;
+    world::Time time;
+    Vector2d position = Vector2d::Zero();  // [m]
+  };
+
   void choose(std::span<const world::Detection> detections);
   bool repeats(const world::Detection& detection);
   void take_in(const world::Detection& detection);
+  void see_balls(const world::Detection& detection, const Vector2d& bias);
+  struct Comparison {  // of two cameras
+    int camera = 0, other = 0;
+    Vector2d difference = Vector2d::Zero();  // [m]
+    double variance = 0;                     // [m^2]
+  };
+  void compare(std::optional<Sighting>& last, const Sighting& now, const Vector2d& velocity,
+               double velocity_variance, double sigma);
   void foretell_robots(world::Time time, std::vector<world::TrackedRobot>& out) const;
   void publish(world::Time time, world::Time before);
   void reset();
@@ -52,6 +70,9 @@ class Tracker {
   Params params_;
   std::vector<RobotTrack> robots_;  // by team, then number
   BallTrack ball_;
+  CameraBias bias_;
+  std::vector<std::optional<Sighting>> robot_sightings_;  // the last of each robot
+  std::optional<Sighting> ball_sighting_;
   world::TrackedFrame frame_;
   bool started_ = false;
   int batches_from_the_past_ = 0;  // in a row
@@ -62,6 +83,7 @@ class Tracker {
   std::vector<const world::Detection*> images_;
   std::vector<world::DetectedBall> balls_;
   std::vector<world::TrackedRobot> foretold_;
+  std::vector<Comparison> comparisons_;
 };
 
 }  // namespace tracker

@@ -1,0 +1,217 @@
+#include "autoref/tracker/kick_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace tracker {
+namespace {
+
+using namespace std::chrono_literals;
+
+// How long a kicked ball slides [s]: not at all, up to 8 m/s with the dribbler's backspin, or anything
+// between.
+constexpr std::array<double, 6> slide_times = {0, 0.08, 0.16, 0.28, 0.45, 10};
+constexpr double speed_sigma = 4.0;                                // [m/s] per axis, as AirFilter's
+constexpr double ground_noise = 0.15 * 0.15 * world::tick_length;  // [m^2/s^3] as a rolling ball's
+constexpr double jostle_noise = 12.0 * 12.0 * world::tick_length;  // as of BallFilter's erratic ball
+constexpr double noise_factor = 3;  // nominal noise here over the camera's: calibration is not perfect; ours
+constexpr double hidden_sigma = 0.005;  // [m] the visible part of a ball is up to so far beside its middle
+constexpr double prior_weight = 8;      // numbers that the nominal noise counts as; ours
+constexpr double chip_prior = 0.2;      // one kick in five; ours
+constexpr double jostle_prior = 0.2;    // and one is disturbed: two robots at the ball, a dribbler; ours
+constexpr double flattest = 0.4;        // of the horizontal speed over the rise: chips up to 68 degrees; ours
+constexpr double least_speed = 0.7;     // [m/s] slower is no kick worth studying; ours
+constexpr int quick_look = 3;           // sightings after which slow balls are left alone
+constexpr double least_rise = 1.0;  // [m/s] a kick that rises slower (5 cm) is not told from a flat one; ours
+constexpr double hopeless = 12;     // log of the evidence that a hypothesis may lack; ours
+constexpr double gate = 40;         // chi-square with 2 degrees of freedom and three times the noise; ours
+constexpr int misses_to_end = 3;
+constexpr double worst_fit = 3;     // mean square: twice the nominal noise; ours
+constexpr int first_word = 5;       // sightings before which nothing is said (football.md 3.3); ours
+constexpr int least_sightings = 8;  // before anything is settled (football.md 3.3)
+constexpr double settled_flat = 0.01, settled_air = 0.98;  // probabilities
+constexpr world::Duration longest_doubt = 600ms;           // ours
+
+/// Of `count` numbers of which those that are not given are negligible.
+double log_mean_exp(std::span<const double> logs, std::size_t count) {
+  const double most = *std::ranges::max_element(logs);
+  double sum = 0;
+  for (const double value : logs) sum += std::exp(value - most);
+  return most + std::log(sum / static_cast<double>(count));
+}
+
+}  // namespace
+
+KickStudy::KickStudy(const world::Geometry& geometry, const KickPoint& kick, double ball_sigma)
+    : slide_(std::max(0.0, geometry.ball_slide_deceleration)),
+      roll_(std::max(0.0, geometry.ball_roll_deceleration)),
+      r_(noise_factor * ball_sigma * noise_factor * ball_sigma),
+      airborne_(0),
+      last_(kick.earliest) {
+  air_.reserve(instants);
+  ground_.reserve(instants + 1);
+  const auto lies = [&](world::Time kicked, const Vector2d& place, double noise, std::size_t courses) {
+    OnGround& ground = ground_.emplace_back();
+    ground.kicked = kicked;
+    ground.noise = noise;
+    ground.pp = kick.sigma * kick.sigma;
+    ground.vv = speed_sigma * speed_sigma;
+    ground.courses.resize(courses);
+    for (Course& course : ground.courses) course.position = place;
+  };
+  for (int n = 0; n < instants; ++n) {
+    const auto kicked = kick.earliest + (kick.latest - kick.earliest) * n / instants;
+    const Vector2d place = kick.place + kick.carried * world::seconds(kicked - kick.earliest);
+    air_.push_back({kicked, AirFilter(place, kick.sigma), {}});
+    lies(kicked, place, ground_noise, slide_times.size());
+  }
+  lies(kick.earliest, kick.place, jostle_noise, 1);
+  flight_.kicked = kick.earliest;
+  flight_.from = kick.place;
+}
+
+void KickStudy::step(OnGround& ground, double from, double to) const {
+  const double dt = to - from;
+  for (std::size_t n = 0; n < ground.courses.size(); ++n) {
+    Course& course = ground.courses[n];
+    const double sliding = std::clamp(slide_times[n] - from, 0.0, dt);
+    const double rolling = dt - sliding;
+    const double speed = course.velocity.norm();
+    const double loss = std::min(slide_ * sliding + roll_ * rolling, speed);
+    const double lag = slide_ * sliding * (sliding / 2 + rolling) + roll_ * rolling * rolling / 2;
+    course.position += course.velocity * dt;
+    if (!(speed > 0)) continue;
+    course.position -= course.velocity * (std::min(lag, speed * dt) / speed);
+    course.velocity *= (speed - loss) / speed;
+  }
+  ground.pp += dt * (2 * ground.pv + dt * ground.vv) + ground.noise * dt * dt * dt / 3;
+  ground.pv += dt * ground.vv + ground.noise * dt * dt / 2;
+  ground.vv += ground.noise * dt;
+}
+
+void KickStudy::see(const Vector2d& seen, world::Time time, const Vector3d& camera, bool partly_hidden) {
+  const double r = partly_hidden ? r_ + hidden_sigma * hidden_sigma : r_;
+  ++sightings_;
+  double best_nis = std::numeric_limits<double>::infinity();
+  for (InAir& air : air_) {
+    air.filter.predict(world::seconds(time - std::max(last_, air.kicked)));
+    const AirFilter::Fit fit = air.filter.update(seen, camera, r);
+    air.score.add(fit);
+    best_nis = std::min(best_nis, fit.nis);
+  }
+  for (OnGround& ground : ground_) {
+    const world::Time before = std::max(last_, ground.kicked);
+    step(ground, world::seconds(before - ground.kicked), world::seconds(time - ground.kicked));
+    const double s = ground.pp + r;
+    const double kp = ground.pp / s;
+    const double kv = ground.pv / s;
+    for (Course& course : ground.courses) {
+      const Vector2d innovation = seen - course.position;
+      course.position += kp * innovation;
+      course.velocity += kv * innovation;
+      const AirFilter::Fit fit{innovation.squaredNorm() / s, 2 * std::log(s / r)};
+      course.score.add(fit);
+      best_nis = std::min(best_nis, fit.nis);
+    }
+    ground.vv -= kv * ground.pv;
+    ground.pv *= 1 - kp;
+    ground.pp *= 1 - kp;
+  }
+  last_ = time;
+  misses_ = best_nis > gate ? misses_ + 1 : 0;
+  if (misses_ >= misses_to_end) over_ = true;
+  judge();
+  remember_launch();
+}
+
+double KickStudy::evidence(const Score& score) const {
+  const double numbers = 2 * sightings_;
+  return -(prior_weight + numbers) / 2 * std::log(1 + score.sum / prior_weight) - score.log_det;
+}
+
+void KickStudy::judge() {
+  const auto better = [this](const InAir& a, const InAir& b) {
+    return evidence(a.score) > evidence(b.score);
+  };
+  std::ranges::sort(air_, better);
+  if (ground_.empty()) return;
+
+  std::array<double, instants> in_air{};
+  std::size_t airs = 0;
+  for (const InAir& air : air_) in_air[airs++] = evidence(air.score);
+  std::array<double, instants * slide_times.size()> rolling{};
+  std::size_t rollings = 0;
+  for (std::size_t n = 0; n + 1 < ground_.size(); ++n) {
+    for (const Course& course : ground_[n].courses) rolling[rollings++] = evidence(course.score);
+  }
+  const double air_log = std::log(chip_prior) + log_mean_exp({in_air.data(), airs}, in_air.size());
+  const double roll_log =
+      std::log(1 - chip_prior - jostle_prior) + log_mean_exp({rolling.data(), rollings}, rolling.size());
+  const double jostle_log = std::log(jostle_prior) + evidence(ground_.back().courses.front().score);
+  const double most = std::max({air_log, roll_log, jostle_log});
+  const double air_share = std::exp(air_log - most);
+  airborne_ = sightings_ >= first_word && is_possible(air_.front())
+                  ? air_share / (air_share + std::exp(roll_log - most) + std::exp(jostle_log - most))
+                  : 0;
+
+  std::erase_if(air_,
+                [&, best = in_air[0]](const InAir& air) { return evidence(air.score) < best - hopeless; });
+  if (sightings_ == quick_look && is_slow()) over_ = true;
+  if (sightings_ < least_sightings) return;
+  if (airborne_ < settled_flat) over_ = true;
+  if (airborne_ > settled_air) ground_.clear();
+  if (airborne_ < 0.5 && last_ - flight_.kicked > longest_doubt) over_ = true;
+}
+
+// A chip fits well, rises enough to be told from a flat kick, and not nearly straight up.
+bool KickStudy::is_possible(const InAir& air) const {
+  if (air.score.sum > worst_fit * 2 * sightings_) return false;
+  if (air.filter.bounces() > 0) return true;
+  const double rise = air.filter.velocity().z() + 9.81 * world::seconds(last_ - air.kicked);
+  return rise > least_rise && air.filter.velocity().head<2>().norm() > flattest * rise;
+}
+
+bool KickStudy::is_slow() const { return ground_.back().courses.front().velocity.norm() < least_speed; }
+
+bool KickStudy::explains(const Vector2d& seen, world::Time time, const Vector3d& camera) const {
+  const InAir& air = air_.front();
+  AirFilter ahead = air.filter;
+  ahead.predict(world::seconds(time - std::max(last_, air.kicked)));
+  if (ahead.nis(seen, camera, r_) < gate) return true;
+  return std::ranges::any_of(ground_, [&](OnGround ground) {
+    const world::Time before = std::max(last_, ground.kicked);
+    step(ground, world::seconds(before - ground.kicked), world::seconds(time - ground.kicked));
+    return std::ranges::any_of(ground.courses, [&](const Course& course) {
+      return (seen - course.position).squaredNorm() < gate * (ground.pp + r_);
+    });
+  });
+}
+
+void KickStudy::remember_launch() {
+  const InAir& air = air_.front();
+  if (air.filter.bounces() > 0) return;
+  const double since = world::seconds(last_ - air.kicked);
+  const Vector3d velocity = air.filter.velocity();
+  flight_.kicked = air.kicked;
+  flight_.launch_velocity = velocity + Vector3d(0, 0, 9.81 * since);
+  flight_.from = (air.filter.position() - velocity * since).head<2>();
+}
+
+AirFilter KickStudy::filter_at(world::Time time) const {
+  AirFilter ahead = air_.front().filter;
+  ahead.predict(std::max(0.0, world::seconds(time - std::max(last_, air_.front().kicked))));
+  return ahead;
+}
+
+world::Flight KickStudy::flight_at(world::Time time) const {
+  // On its way up it is as high as it is; later it was as high as its rise at the kick took it.
+  world::Flight flight = flight_;
+  const double rise = std::max(0.0, flight.launch_velocity.z());
+  const double up = std::min(rise / 9.81, std::max(0.0, world::seconds(time - flight.kicked)));
+  flight.highest = up * (rise - 9.81 / 2 * up);
+  return flight;
+}
+
+}  // namespace tracker
