@@ -1,7 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "autoref/automaton/pictures.h"
 #include "autoref/replay.h"
 
 int main(int argc, char** argv) {
@@ -25,8 +29,17 @@ int main(int argc, char** argv) {
           "auto: referee for logs of matchday, watch for all others")
       ->transform(CLI::CheckedTransformer(modes).description("{auto,referee,watch}"));
 
-  if (argc > 1 && argv[1][0] != '-' && std::string_view(argv[1]) != "replay") {
-    std::cerr << "ssl-autoref: unknown command '" << argv[1] << "'; known is: replay\n";
+  std::string rules = "ssl-2015";
+  const CLI::App* table = app.add_subcommand(
+      "automaton", "print the table of transitions as JSON, for scripts/draw_automaton.py");
+  CLI::App* positions =
+      app.add_subcommand("positions", "print as JSON where the ball goes for free kicks, for the same");
+  positions->add_option("--rules", rules, "rule set")->capture_default_str();
+
+  const std::vector<std::string_view> known = {"replay", "automaton", "positions"};
+  if (argc > 1 && argv[1][0] != '-' && std::ranges::find(known, argv[1]) == known.end()) {
+    std::cerr << "ssl-autoref: unknown command '" << argv[1]
+              << "'; known are: replay, automaton, positions\n";
     return 2;
   }
   try {
@@ -37,6 +50,14 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
+    if (*table) {
+      std::cout << automaton::table_json();
+      return 0;
+    }
+    if (*positions) {
+      std::cout << automaton::positions_json(world::rule_set(rules));
+      return 0;
+    }
     return autoref::replay(options, std::cout, std::cerr);
   } catch (const std::exception& error) {
     std::cerr << "ssl-autoref: " << error.what() << '\n';

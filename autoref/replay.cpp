@@ -152,9 +152,13 @@ referee::Setup setup_of(const Survey& survey, const std::string& rules) {
   referee::Setup setup;
   if (survey.ours() && message) setup = referee::parse_setup(message->status);
   if (!rules.empty()) {
-    const world::Duration half_length = setup.rules.half_length;
+    const world::RuleSet recorded = setup.rules;
     setup.rules = world::rule_set(rules);
-    if (survey.ours()) setup.rules.half_length = half_length;
+    if (survey.ours()) {
+      setup.rules.half_length = recorded.half_length;
+      setup.rules.winner = recorded.winner;
+      setup.rules.extra_half_length = recorded.extra_half_length;
+    }
   }
   setup.geometry.field = setup.rules.field;
   if (survey.geometry) setup.geometry = *survey.geometry;

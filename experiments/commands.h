@@ -37,6 +37,7 @@ struct PlayOptions {
   std::string rules = "ssl-2015";
   RealismOptions realism;
   std::optional<double> half_length;  ///< [s]
+  bool winner = false;
   bool blue_on_negative_half = false;
   bool blue_kicks_off = false;
   std::optional<std::filesystem::path> log;

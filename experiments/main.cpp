@@ -55,6 +55,7 @@ void add_play(CLI::App& main, commands::PlayOptions& options) {
   add_realism(app, "--realism", options.realism);
   app.add_option("--half-length", options.half_length, "seconds of a half, if not the rule set's")
       ->check(half_length);
+  app.add_flag("--winner", options.winner, "a draw is followed by extra time and a penalty shoot-out");
   app.add_flag("--blue-on-negative-half", options.blue_on_negative_half, "blue defends the goal at -x first");
   app.add_flag("--blue-kicks-off", options.blue_kicks_off, "blue has the first kickoff");
   app.add_option("--log", options.log, "write the game as a league log, FILE.log or FILE.log.gz");

@@ -39,6 +39,7 @@ int play(const PlayOptions& options) {
   config.rules = options.rules;
   config.realism = realism_config(options.realism);
   config.half_length = options.half_length;
+  config.winner = options.winner;
   config.blue_on_positive_half = !options.blue_on_negative_half;
   config.first_kickoff = options.blue_kicks_off ? world::Team::Blue : world::Team::Yellow;
   config.log = options.log;

@@ -29,6 +29,7 @@ std::string command_text(const std::string& command) {
 void tell_circumstances(const record::MatchConfig& config, std::ostream& out) {
   out << "realism " << record::text(config.realism) << ", rule set " << config.rules;
   if (config.half_length) out << fmt::format(" with halves of {:g} s", *config.half_length);
+  if (config.winner) out << " until there is a winner";
   out << ", seed " << config.seed << "\n";
   out << "yellow: " << team_text(config.teams.yellow) << "\n";
   out << "blue:   " << team_text(config.teams.blue) << "\n";

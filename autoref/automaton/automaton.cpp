@@ -37,6 +37,20 @@ void Automaton::clock_restarted(world::Time time) {
   detectors_.enter(state_.location);
 }
 
+void Automaton::run_clock_to(world::Time time) { continuous_update(state_, time); }
+
+void Automaton::send(const world::Command& command) {
+  state_.command = command;
+  ++state_.command_counter;
+  state_.command_time = state_.time;
+}
+
+void Automaton::enter(world::Location location) {
+  state_.location = location;
+  state_.location_time = state_.time;
+  detectors_.enter(location);
+}
+
 void Automaton::run_rows(const world::TrackedFrame& frame, std::span<const Occurrence> occurrences) {
   transitions_.clear();
   Context context{state_, rules_, frame};
@@ -61,16 +75,8 @@ void Automaton::take_row(const Row& row, const Context& context) {
 
   if (row.command) transition.command = row.command(context);
   if (row.effect) row.effect(context, state_);
-  if (transition.command) {
-    state_.command = *transition.command;
-    ++state_.command_counter;
-    state_.command_time = state_.time;
-  }
-  state_.location = row.to;
-  if (row.from != row.to || row.enters_anew) {
-    state_.location_time = state_.time;
-    detectors_.enter(row.to);
-  }
+  if (transition.command) send(*transition.command);
+  if (row.from != row.to || row.enters_anew) enter(row.to);
   transition.after = state_;
   transitions_.push_back(std::move(transition));
 }

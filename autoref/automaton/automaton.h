@@ -47,11 +47,22 @@ class Automaton {
   /// What the detectors saw in the last update, taken by a row or not.
   std::span<const Occurrence> occurrences() const { return occurrences_; }
 
+  // For what no row knows: the operator's overrides, and halts (interrupt.h). What is sent and entered so is
+  // dated with the state's time.
+
+  /// The continuous variables run to `time`.
+  void run_clock_to(world::Time time);
+  /// Transmits a command.
+  void send(const world::Command& command);
+  /// Enters a location, perhaps the present one anew; its detectors forget the past.
+  void enter(world::Location location);
+
   void set_keeper(world::Team team, int number) { state_.keeper[team] = number; }
 
   const world::GameState& state() const { return state_; }
   /// For tests and overrides.
   world::GameState& state() { return state_; }
+  const world::RuleSet& rules() const { return rules_; }
   /// How often the event loop had to be cut short.
   int loop_defects() const { return loop_defects_; }
 

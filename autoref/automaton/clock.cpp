@@ -7,8 +7,8 @@ void continuous_update(world::GameState& state, world::Time time) {
   state.time = time;
   if (state.location == world::Location::Init) return;  // the match had not begun
   if (state.location == world::Location::Break) {
-    if (!state.timeout_team) return;
-    state.timeout_time[*state.timeout_team] -= passed;
+    if (!state.timeout_team && !state.halted) return;
+    if (state.timeout_team) state.timeout_time[*state.timeout_team] -= passed;
     if (state.stage_end) *state.stage_end += passed;
     return;
   }
@@ -24,6 +24,7 @@ void move_in_time(world::GameState& state, world::Duration by) {
   if (state.stage_end) *state.stage_end += by;
   if (state.kick_deadline) *state.kick_deadline += by;
   if (state.last_touch) state.last_touch->time += by;
+  if (state.penalty) state.penalty->taken += by;
 }
 
 }  // namespace automaton

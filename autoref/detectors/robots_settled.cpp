@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "autoref/detectors/ball.h"
+#include "autoref/detectors/penalty.h"
 
 namespace detectors {
 namespace {
@@ -23,14 +24,21 @@ bool RobotsSettled::steady(const world::TrackedFrame& frame, const world::GameSt
   return true;
 }
 
+bool RobotsSettled::in_position(const world::TrackedFrame& frame, const world::GameState& state) const {
+  if (state.is_kickoff) return !robot_in_wrong_half(frame, state);
+  if (state.restart != world::CommandKind::Penalty || state.call != world::CommandKind::Ready) return true;
+  const PenaltyOffenders offenders = penalty_offenders(field_, penalty_line_, frame, state);
+  return !offenders.attacker && !offenders.defender;
+}
+
 std::vector<world::GameEvent> RobotsSettled::update(const world::TrackedFrame& frame,
                                                     const world::GameState& state) {
   if (!entered_) entered_ = start_ = frame.time;
-  const bool at_home = !state.is_kickoff || !robot_in_wrong_half(frame, state);
-  if (!at_home || !steady(frame, state)) start_ = frame.time;
+  const bool ready = in_position(frame, state);
+  if (!ready || !steady(frame, state)) start_ = frame.time;
 
   const bool settled = frame.time - *start_ >= settled_for_;
-  const bool too_long = frame.time - *entered_ >= (at_home ? limit_ : 2 * limit_);
+  const bool too_long = frame.time - *entered_ >= (ready ? limit_ : 2 * limit_);
   if (!settled && !too_long) return {};
   entered_ = start_ = frame.time;
   return {{frame.time, world::RobotsSettled{!settled}}};

@@ -14,13 +14,15 @@ namespace detectors {
 /// Guard   min(time since something moved or the ball was not in place - settled_for, ...)  [s], or the whole
 /// wait -
 ///         settle_limit (I-17, "or after some time has passed").
-/// Kickoff the robots must also be in their own halves; for them the referee waits twice the limit, because
-/// at
-///         half-time they drive over the whole field (ours: 9 m at the 0.3 m/s of a slow team).
+/// Kickoff the robots must also be in their own halves, and before the READY of a penalty where Law 14 wants
+///         them; for that the referee waits twice the limit, because at half-time they drive over the whole
+///         field (ours: 9 m at the 0.3 m/s of a slow team).
 class RobotsSettled final : public Detector {
  public:
   explicit RobotsSettled(const world::RuleSet& rules)
-      : ball_speed_(rules.ball_settled_speed),
+      : field_(rules.field),
+        penalty_line_(rules.penalty_line),
+        ball_speed_(rules.ball_settled_speed),
         robot_speed_(rules.robot_settled_speed),
         tolerance_(rules.placement_tolerance),
         settled_for_(rules.settled_for),
@@ -36,6 +38,10 @@ class RobotsSettled final : public Detector {
  private:
   bool steady(const world::TrackedFrame& frame, const world::GameState& state) const;
 
+  bool in_position(const world::TrackedFrame& frame, const world::GameState& state) const;
+
+  world::Field field_;
+  double penalty_line_;
   double ball_speed_;
   double robot_speed_;
   double tolerance_;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "autoref/referee/explain_special.h"
+
 namespace referee {
 namespace {
 
@@ -24,6 +26,8 @@ std::string score_text(const world::PerTeam<int>& score) {
   return fmt::format("yellow {} : {} blue", score.yellow, score.blue);
 }
 
+}  // namespace
+
 std::string kick_name(CommandKind kind) {
   switch (kind) {
     case CommandKind::Indirect:
@@ -38,6 +42,8 @@ std::string kick_name(CommandKind kind) {
       return "neutral start";
   }
 }
+
+namespace {
 
 // A direct kick after the ball left over a goal line has a name of its own.
 std::string restart_text(const Transition& transition) {
@@ -88,22 +94,6 @@ std::string foul_text(const Transition& transition, const world::RuleSet& rules)
   return describe(*transition.occurrence.event);
 }
 
-// Rows tell by their effect that a card was shown, whatever they are called.
-std::string card_text(const Transition& transition) {
-  std::string cards;
-  for (const Team team : world::both_teams) {
-    const auto& before = transition.before;
-    const auto& after = transition.after;
-    if (after.yellow_times[team].size() > before.yellow_times[team].size()) {
-      cards += fmt::format(", yellow card for {}", world::name(team));
-    }
-    if (after.red_cards[team] > before.red_cards[team]) {
-      cards += fmt::format(", red card for {}", world::name(team));
-    }
-  }
-  return cards;
-}
-
 std::string kick_offence_text(const Transition& transition, const world::RuleSet& rules) {
   const auto& kick = *event<world::KickTaken>(transition);
   const std::string when = fmt::format("when {} took the kick", text(kick.by));
@@ -116,13 +106,6 @@ std::string kick_offence_text(const Transition& transition, const world::RuleSet
                        rules.opponent_distance, when);
   }
   return fmt::format("{} was in the wrong half {}", text(*kick.wrong_half), when);
-}
-
-std::string stage_end_text(const Transition& transition) {
-  if (transition.after.stage == world::Stage::HalfTime) {
-    return "the first half is over at " + score_text(transition.after.score);
-  }
-  return "the game is over: " + score_text(transition.after.score);
 }
 
 // What was seen, for rows that stop play because of something that was detected.
@@ -186,9 +169,6 @@ std::string break_text(const Transition& transition) {
     const Team team = *after.timeout_team;
     return fmt::format("time-out for {}, {} left after it and {:.0f} s in all", world::name(team),
                        after.timeout_num[team], world::seconds(after.timeout_time[team]));
-  }
-  if (transition.row->name == "T17.a") {
-    return fmt::format("the second half, ends are changed: kickoff for {}", world::name(after.kick_team));
   }
   const char* team = world::name(*transition.before.timeout_team);
   if (transition.row->name == "T17.b") return fmt::format("the time-outs of {} are used up", team);
@@ -263,22 +243,22 @@ Call explain(const Transition& transition, const world::RuleSet& rules) {
   if (!only_a_card) call.restart = restart_text(transition);
   if (!call.restart.empty()) call.position = after.reset_position;
 
+  const std::optional<std::string> special = special_sentence(transition, rules);
   if (only_a_card) {
     if (transition.occurrence.event) call.sentence = describe(*transition.occurrence.event);
-    call.sentence += card_text(transition);
   } else if (call.stops_play) {
-    call.sentence =
-        fmt::format("{}{}, so {}", cause_of(transition, rules), card_text(transition), call.restart);
+    call.sentence = fmt::format("{}, so {}", special ? *special : cause_of(transition, rules), call.restart);
     if (call.position) call.sentence += " from " + text(*call.position);
+  } else if (special) {
+    call.sentence = *special;
   } else if (call.row == "T10") {
     call.sentence = "the match begins with a " + call.restart;
-  } else if (call.row == "T16.a") {
-    call.sentence = stage_end_text(transition);
   } else if (transition.row->from == world::Location::Break || transition.row->to == world::Location::Break) {
     call.sentence = break_text(transition);
   } else {
     call.sentence = progress_text(transition, rules);
   }
+  call.sentence += card_text(transition);
   return call;
 }
 

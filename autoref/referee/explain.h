@@ -21,6 +21,9 @@ std::string describe(const world::GameEvent& event);
 /// Its name, such as "ball touched".
 std::string kind_of(const world::GameEvent& event);
 
+/// "indirect free kick"
+std::string kick_name(world::CommandKind kind);
+
 /// "yellow 4"
 std::string text(world::RobotId robot);
 /// "(1.20, -2.90) m"

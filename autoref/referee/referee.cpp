@@ -1,10 +1,15 @@
 #include "autoref/referee/referee.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "autoref/automaton/automaton.h"
+#include "autoref/automaton/interrupt.h"
 #include "autoref/referee/explain.h"
+#include "autoref/referee/overrule.h"
 #include "autoref/touch/touch_detector.h"
 #include "autoref/tracker/tracker.h"
 
@@ -34,6 +39,14 @@ struct Referee::Inside {
   }
 
   Output tick();
+  Output without_frame(std::optional<world::Time> clock);
+  Output output_so_far();
+  std::string overrule(const Override& wish);
+  void halt_for_vision();
+  void resume_for_vision(bool new_clock);
+  void report(std::string row, std::string sentence, std::optional<world::Command> command);
+  void remember(const automaton::Transition& transition, const Call& call);
+  world::Vector2d ball() const;
   void hear_requests();
   void forget_answered_requests();
   std::optional<world::Vector2d> ball_reset();
@@ -50,11 +63,19 @@ struct Referee::Inside {
   bool message_changed = true;  // the first one is news
   std::optional<world::Time> last_tick;
   std::vector<Call> calls;
+  std::vector<Call> early_calls;  // made between two ticks: reported with the next one
   std::vector<TransitionRecord> records;
 
   world::PerTeam<bool> timeout_wanted{};
   world::PerTeam<bool> timeout_end_wanted{};
   std::vector<automaton::Request> requests;
+
+  bool halted_for_vision = false;
+  std::optional<world::Time> blind_since;  // by the receiver's clock
+
+  std::optional<Decision> decision;  // the last one, until play is restarted or it is reversed
+  bool any_decision = false;
+  bool status_is_special = false;
 
   bool reset_is_due = false;  // a new wish arose in this tick
   std::optional<world::Time> last_reset_wish;
@@ -96,12 +117,112 @@ std::optional<world::Vector2d> Referee::Inside::ball_reset() {
   return state.reset_position;
 }
 
-Output Referee::Inside::tick() {
-  calls.clear();
+world::Vector2d Referee::Inside::ball() const {
+  if (frame.ball) return frame.ball->position.head<2>();
+  return automaton.state().reset_position.value_or(world::Vector2d::Zero());
+}
+
+// A call that no row made.
+void Referee::Inside::report(std::string row, std::string sentence, std::optional<world::Command> command) {
+  const world::GameState& state = automaton.state();
+  Call call;
+  call.time = state.time;
+  call.row = std::move(row);
+  call.sentence = std::move(sentence);
+  call.command = command;
+  call.stage = state.stage;
+  call.score = state.score;
+  message.status = call.sentence;
+  status_is_special = true;
+  message_changed = true;
+  early_calls.push_back(std::move(call));
+}
+
+void Referee::Inside::remember(const automaton::Transition& transition, const Call& call) {
+  if (call.stops_play) {
+    any_decision = true;
+    decision = Decision{call.sentence, transition.before, transition.after, ball()};
+  } else if (transition.row->to == Location::GameOn) {
+    decision.reset();
+  }
+}
+
+// Nothing was seen for so long that the game cannot be refereed. The halt is dated where the patience ended,
+// so that a log, which shows the gap only when it is over, is refereed as the game was.
+void Referee::Inside::halt_for_vision() {
+  if (halted_for_vision || !automaton::can_halt(automaton.state())) return;
+  automaton.run_clock_to(*last_tick + setup.rules.vision_timeout);
+  automaton::halt(automaton, ball());
+  halted_for_vision = true;
+  report("vision",
+         fmt::format("no camera image for {:.1f} s, so the game is halted",
+                     world::seconds(setup.rules.vision_timeout)),
+         automaton.state().command);
+}
+
+void Referee::Inside::resume_for_vision(bool new_clock) {
+  halted_for_vision = false;
+  if (!automaton.state().halted) return;  // the operator was faster
+  automaton.run_clock_to(frame.time);
+  automaton::resume(automaton);
+  reset_is_due = true;
+  const world::GameState& state = automaton.state();
+  const std::string kick = state.restart == world::CommandKind::Start
+                               ? "neutral start"
+                               : kick_name(state.restart) + " for " + world::name(state.kick_team);
+  const std::string when =
+      new_clock ? "with a new clock" : fmt::format("after {:.1f} s", world::seconds(frame.time - *last_tick));
+  report("vision", fmt::format("images are back {}, next is the {}", when, kick), state.command);
+}
+
+std::string Referee::Inside::overrule(const Override& wish) {
+  const std::uint32_t commands = automaton.state().command_counter;
+  const std::optional<world::Vector2d> place = automaton.state().reset_position;
+  Overruled game{automaton, frame, ball(), decision, any_decision};
+  const Verdict verdict = referee::overrule(wish, game);
+  if (!verdict.refusal.empty()) return verdict.refusal;
+  const world::GameState& state = automaton.state();
+  if (state.location == Location::GameOn) decision.reset();
+  if (!state.halted) halted_for_vision = false;
+  if (state.command_counter != commands || state.reset_position != place) reset_is_due = true;
+  std::optional<world::Command> command;
+  if (state.command_counter != commands) command = state.command;
+  report("override", wish.who + " " + verdict.deed + " (" + wish.why + ")", command);
+  write_message();
+  return {};
+}
+
+Output Referee::Inside::output_so_far() {
+  Output output;
+  output.message_changed = std::exchange(message_changed, false);
+  output.calls = calls;
+  output.finished = automaton.state().stage == world::Stage::Post;
+  return output;
+}
+
+Output Referee::Inside::without_frame(std::optional<world::Time> clock) {
   records.clear();
-  reset_is_due = false;
-  if (last_tick && frame.time <= *last_tick) automaton.clock_restarted(frame.time);
+  if (clock && last_tick) {
+    if (!blind_since || *clock < *blind_since) blind_since = *clock;
+    if (*clock - *blind_since >= setup.rules.vision_timeout) halt_for_vision();
+  }
+  calls = std::exchange(early_calls, {});
+  if (!calls.empty()) write_message();
+  return output_so_far();
+}
+
+Output Referee::Inside::tick() {
+  records.clear();
+  const bool new_clock = last_tick && frame.time <= *last_tick;
+  if (new_clock) {
+    automaton.clock_restarted(frame.time);
+  } else if (last_tick && frame.time - *last_tick >= setup.rules.vision_timeout) {
+    halt_for_vision();
+  }
+  if (halted_for_vision) resume_for_vision(new_clock);
+  blind_since.reset();
   last_tick = frame.time;
+  calls = std::exchange(early_calls, {});
 
   hear_requests();
   for (const automaton::Transition& transition : automaton.update(frame, requests)) {
@@ -109,7 +230,13 @@ Output Referee::Inside::tick() {
     records.push_back({transition.after.time, row.name, row.from, row.to});
     if (row.from != row.to && row.to == Location::GameOff) reset_is_due = true;
     if (row.name != "T14") message_changed = true;  // T14 changes nothing that teams are told
-    if (is_call(transition)) calls.push_back(explain(transition, setup.rules));
+    if (!is_call(transition)) {
+      if (row.to == Location::GameOn) decision.reset();
+      continue;
+    }
+    calls.push_back(explain(transition, setup.rules));
+    remember(transition, calls.back());
+    if (std::exchange(status_is_special, false)) message.status = setup_text(setup);
   }
   for (const automaton::Occurrence& occurrence : automaton.occurrences()) {
     if (auto noted = note(occurrence, automaton.state())) calls.push_back(std::move(*noted));
@@ -117,11 +244,9 @@ Output Referee::Inside::tick() {
   forget_answered_requests();
   write_message();
 
-  Output output;
-  output.message_changed = std::exchange(message_changed, false);
+  Output output = output_so_far();
   output.ball_reset = ball_reset();
-  output.calls = calls;
-  output.finished = automaton.state().stage == world::Stage::Post;
+  reset_is_due = false;
   return output;
 }
 
@@ -139,11 +264,14 @@ void Referee::Inside::write_message() {
     info.score = state.score[team];
     info.red_cards = state.red_cards[team];
     info.yellow_card_times = state.yellow_times[team];
+    info.yellow_cards = state.yellow_cards[team];
     info.timeouts = state.timeout_num[team];
     info.timeout_time = state.timeout_time[team];
     info.keeper = state.keeper[team];
-    info.max_robots =
-        setup.robots[team] - state.red_cards[team] - static_cast<int>(state.yellow_times[team].size());
+    const int cards = state.red_cards[team] + static_cast<int>(state.yellow_times[team].size());
+    const bool shootout = state.stage == world::Stage::ShootoutBreak || state.stage == world::Stage::Shootout;
+    const int most = shootout ? setup.rules.shootout_robots : setup.robots[team];
+    info.max_robots = std::clamp(setup.robots[team] - cards, 0, most);
   }
   const bool before_kick = state.location == Location::GameOff || state.location == Location::Setup;
   message.designated_position = before_kick ? state.reset_position : std::nullopt;
@@ -161,15 +289,9 @@ Referee::~Referee() = default;
 Referee::Referee(Referee&&) noexcept = default;
 Referee& Referee::operator=(Referee&&) noexcept = default;
 
-Output Referee::update(std::span<const world::Detection> detections) {
+Output Referee::update(std::span<const world::Detection> detections, std::optional<world::Time> clock) {
   const world::TrackedFrame* frame = inside_->tracker.update(detections);
-  if (!frame) {
-    inside_->calls.clear();
-    inside_->records.clear();
-    Output nothing_new;
-    nothing_new.finished = inside_->automaton.state().stage == world::Stage::Post;
-    return nothing_new;
-  }
+  if (!frame) return inside_->without_frame(clock);
   if (inside_->last_tick && frame->time <= *inside_->last_tick) inside_->touches.reset();
   inside_->frame = *frame;
   inside_->frame.touches.clear();
@@ -181,6 +303,8 @@ Output Referee::update(const world::TrackedFrame& frame) {
   inside_->frame = frame;
   return inside_->tick();
 }
+
+std::string Referee::overrule(const Override& wish) { return inside_->overrule(wish); }
 
 void Referee::request_timeout(Team team) { inside_->timeout_wanted[team] = true; }
 

@@ -3,9 +3,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "autoref/referee/call.h"
+#include "autoref/referee/override.h"
 #include "autoref/referee/setup.h"
 #include "sim/world/detection.h"
 #include "sim/world/game_state.h"
@@ -35,7 +37,8 @@ struct TransitionRecord {
 /// The whole referee: tracker -> touch -> detectors -> automaton -> message and calls.
 ///
 /// It has no clock but the frames' capture times, so the same detections give the same calls, live or from a
-/// log.
+/// log. After `rules.vision_timeout` without a new frame it halts the game, and when frames are back it sends
+/// STOP and the restart that was interrupted: calls of the row "vision".
 class Referee {
  public:
   explicit Referee(Setup setup);
@@ -44,11 +47,21 @@ class Referee {
   Referee& operator=(Referee&&) noexcept;
 
   /// Takes everything that arrived in one tick; nothing, or nothing new, changes nothing.
-  Output update(std::span<const world::Detection> detections);
+  ///
+  /// @param clock  the receiver's clock, any steady one; without it, a vision that stopped is noticed when it
+  ///               is back
+  Output update(std::span<const world::Detection> detections,
+                std::optional<world::Time> clock = std::nullopt);
 
   /// For those who have tracked frames already (tests, watching): the same without tracker and touch
   /// detection.
   Output update(const world::TrackedFrame& frame);
+
+  /// The operator's word (R-8-7): done at once, reported as a call of the row "override" with the next
+  /// update, and shown as the message's status until the referee's own next call.
+  ///
+  /// @return empty when it was done; else one sentence that says why not, and nothing has changed
+  std::string overrule(const Override& wish);
 
   /// Teams' wishes, heard at the next update. A time-out waits for the next stoppage, and is forgotten when
   /// the team has none left; ending it also withdraws one that has not begun.

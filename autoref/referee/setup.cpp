@@ -21,15 +21,24 @@ double number(std::string_view word, std::string_view text) {
   return value;
 }
 
+world::Duration length(std::string_view word, std::string_view text) {
+  const double seconds = number(word, text);
+  if (seconds <= 0 || seconds > 1e6) refuse(word, "expected seconds between 0 and 1000000");
+  return world::from_seconds(seconds);
+}
+
 void read_word(std::string_view word, Setup& setup) {
   const std::size_t equals = word.find('=');
   if (equals == std::string_view::npos) refuse(word, "expected key=value");
   const std::string_view key = word.substr(0, equals);
   const std::string_view value = word.substr(equals + 1);
   if (key == "half_length") {
-    const double half_length = number(word, value);
-    if (half_length <= 0 || half_length > 1e6) refuse(word, "expected seconds between 0 and 1000000");
-    setup.rules.half_length = world::from_seconds(half_length);
+    setup.rules.half_length = length(word, value);
+  } else if (key == "extra_half_length") {
+    setup.rules.extra_half_length = length(word, value);
+  } else if (key == "winner") {
+    if (value != "yes" && value != "no") refuse(word, "expected yes or no");
+    setup.rules.winner = value == "yes";
   } else if (key == "first_kickoff") {
     if (value != "yellow" && value != "blue") refuse(word, "expected yellow or blue");
     setup.first_kickoff = value == "blue" ? world::Team::Blue : world::Team::Yellow;
@@ -43,7 +52,7 @@ void read_word(std::string_view word, Setup& setup) {
     }
     setup.robots = {static_cast<int>(yellow), static_cast<int>(blue)};
   } else if (key != "rules") {
-    refuse(word, "known are rules, half_length, first_kickoff, robots");
+    refuse(word, "known are rules, half_length, first_kickoff, robots, winner, extra_half_length");
   }
 }
 
@@ -55,14 +64,23 @@ std::string_view next_word(std::string_view& text) {
   return word;
 }
 
+std::string in_seconds(world::Duration duration) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", world::seconds(duration));
+  return text;
+}
+
 }  // namespace
 
 std::string setup_text(const Setup& setup) {
-  char half_length[32];
-  std::snprintf(half_length, sizeof half_length, "%.9g", world::seconds(setup.rules.half_length));
-  return "rules=" + setup.rules.name + " half_length=" + half_length +
-         " first_kickoff=" + world::name(setup.first_kickoff) +
-         " robots=" + std::to_string(setup.robots.yellow) + "," + std::to_string(setup.robots.blue);
+  std::string text = "rules=" + setup.rules.name + " half_length=" + in_seconds(setup.rules.half_length) +
+                     " first_kickoff=" + world::name(setup.first_kickoff) +
+                     " robots=" + std::to_string(setup.robots.yellow) + "," +
+                     std::to_string(setup.robots.blue);
+  if (setup.rules.winner) {
+    text += " winner=yes extra_half_length=" + in_seconds(setup.rules.extra_half_length);
+  }
+  return text;
 }
 
 Setup parse_setup(std::string_view text) {

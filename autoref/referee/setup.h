@@ -21,10 +21,11 @@ struct Setup {
 };
 
 /// What a log must say beside the referee message's own fields so that the game can be refereed again:
-/// "rules=ssl-2015 half_length=600 first_kickoff=yellow robots=6,6" (half length in s, robots yellow,blue).
+/// "rules=ssl-2015 half_length=600 first_kickoff=yellow robots=6,6" (half length in s, robots yellow,blue),
+/// and "winner=yes extra_half_length=300" for a game that needs a winner.
 std::string setup_text(const Setup& setup);
 
-/// The same read back: rule set, half length, first kickoff and robots; everything else as in a default
+/// The same read back: rule set, lengths, first kickoff, robots and winner; everything else as in a default
 /// Setup.
 ///
 /// @throws std::invalid_argument naming the word that cannot be read

@@ -15,6 +15,8 @@ using record::Termination;
 // A game of two halves of 10 minutes takes 20 to 25 simulated minutes; beyond this the referee is stuck
 // (DESIGN).
 constexpr world::Duration longest_game = std::chrono::minutes{40};
+// Extra time adds half as much; a shoot-out of twenty kicks takes ten minutes.
+constexpr world::Duration longest_game_with_winner = std::chrono::minutes{80};
 
 /// The robot the team names, else its lowest number.
 int keeper_of(const wire::proto::TeamHello& hello, const record::TeamConfig& team) {
@@ -31,8 +33,11 @@ world::RuleSet rules_of(const record::MatchConfig& config) {
       throw std::invalid_argument("half_length " + std::to_string(*config.half_length) +
                                   ": more than 0 and at most 1200 seconds are possible");
     }
+    rules.extra_half_length = world::from_seconds(
+        *config.half_length * world::seconds(rules.extra_half_length) / world::seconds(rules.half_length));
     rules.half_length = world::from_seconds(*config.half_length);
   }
+  rules.winner = config.winner;
   return rules;
 }
 
@@ -104,7 +109,8 @@ record::MatchRecord Match::run() {
     record.reason = "the recording ends here";
   } catch (const Overlong&) {
     record.termination = Termination::Overlong;
-    record.reason = "the game was not over after 40 simulated minutes";
+    record.reason =
+        std::string("the game was not over after ") + (config_.winner ? "80" : "40") + " simulated minutes";
   }
   end(record);
   return record;
@@ -192,7 +198,8 @@ void Match::play_ticks() {
     if (engine_.tick() % world::ticks_per_second == 0) {
       look_around();
       if (options_.on_second) options_.on_second(engine_.time(), referee_->state().score);
-      if (engine_.time().time_since_epoch() > longest_game) throw Overlong{};
+      const world::Duration longest = config_.winner ? longest_game_with_winner : longest_game;
+      if (engine_.time().time_since_epoch() > longest) throw Overlong{};
     }
   }
   if (log_) log_->close();
@@ -211,7 +218,7 @@ bool Match::tick() {
   }
   lap(Part::Physics);
 
-  const referee::Output output = referee_->update(engine_.detections());
+  const referee::Output output = referee_->update(engine_.detections(), engine_.time());
   lap(Part::Referee);
 
   hash_.add(engine_.truth(), commands_, referee_->message(), output.ball_reset);

@@ -147,6 +147,7 @@ std::string to_json(const MatchConfig& config) {
             {"realism", config.realism.preset},
             {"realism_changes", config.realism.changes},
             {"half_length", nullptr},
+            {"winner", config.winner},
             {"blue_on_positive_half", config.blue_on_positive_half},
             {"first_kickoff", world::name(config.first_kickoff)},
             {"continuation", nullptr},
@@ -178,6 +179,7 @@ MatchConfig match_config_from_json(const std::string& text) {
     fields.read("half_length", half_length);
     config.half_length = half_length;
   }
+  if (fields.has("winner")) fields.read("winner", config.winner);
   fields.read("blue_on_positive_half", config.blue_on_positive_half);
   config.first_kickoff = colour_from(fields, "first_kickoff");
   if (fields.has("continuation")) {

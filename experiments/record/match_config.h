@@ -48,6 +48,7 @@ struct MatchConfig {
   std::string rules = "ssl-2015";  ///< name of a rule set
   RealismConfig realism;
   std::optional<double> half_length;  ///< [s] instead of the rule set's
+  bool winner = false;                ///< a draw is followed by extra time and a shoot-out
   bool blue_on_positive_half = true;  ///< blue defends the goal at +x in the first half
   world::Team first_kickoff = world::Team::Yellow;
   std::optional<Continuation> continuation;

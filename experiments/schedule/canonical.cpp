@@ -9,6 +9,7 @@ std::string canonical(const Design& design) {
   text += ",\"pairs\":" + std::to_string(design.pairs);
   text += ",\"rules\":" + record::quoted(design.rules);
   text += ",\"half_length\":" + (design.half_length ? record::number(*design.half_length) : "null");
+  if (design.winner) text += ",\"winner\":true";
   text += ",\"realism\":" + record::to_json(design.realism);
   text += ",\"forfeit_goals\":" + std::to_string(design.forfeit_goals);
   text += ",\"conditions\":[";

@@ -195,6 +195,7 @@ void read_rules(TomlTable& root, Design& design) {
     }
     design.half_length = *half;
   }
+  if (const auto winner = table->boolean("winner")) design.winner = *winner;
   table->finish();
 }
 

@@ -28,6 +28,7 @@ struct Design {
   int pairs = 1;  ///< per condition; a pair is two games with the colours exchanged
   std::string rules = "ssl-2015";
   std::optional<double> half_length;  ///< [s] instead of the rule set's
+  bool winner = false;                ///< a draw is followed by extra time and a shoot-out
   record::RealismConfig realism;      ///< where a condition has no other
   int forfeit_goals = 3;              ///< a game lost at the table counts 0 to this
   std::vector<Condition> conditions;

@@ -28,6 +28,7 @@ Game game(const Design& design, std::size_t index) {
   game.config.rules = design.rules;
   game.config.realism = condition.realism;
   game.config.half_length = design.half_length;
+  game.config.winner = design.winner;
   game.config.blue_on_positive_half = (pair & 1) == 0;
   game.config.first_kickoff = (pair & 2) == 0 ? world::Team::Yellow : world::Team::Blue;
   return game;

@@ -92,6 +92,14 @@ std::optional<std::int64_t> TomlTable::integer(const std::string& key) {
   return node->value_exact<std::int64_t>();
 }
 
+std::optional<bool> TomlTable::boolean(const std::string& key) {
+  known_.push_back(key);
+  const toml::node* node = node_->table->get(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_boolean()) reject(key, "must be true or false");
+  return node->value_exact<bool>();
+}
+
 std::optional<double> TomlTable::number(const std::string& key) {
   known_.push_back(key);
   const toml::node* node = node_->table->get(key);

@@ -22,6 +22,7 @@ class TomlTable {
   // Each returns nothing when the key is absent and throws std::invalid_argument when it is something else.
   std::optional<std::string> text(const std::string& key);
   std::optional<std::int64_t> integer(const std::string& key);
+  std::optional<bool> boolean(const std::string& key);
   std::optional<double> number(const std::string& key);
   std::optional<std::vector<std::string>> texts(const std::string& key);
   std::optional<std::vector<std::int64_t>> integers(const std::string& key);

@@ -27,6 +27,22 @@ proto::Referee::Stage to_wire(Stage stage) {
       return WireStage::NORMAL_SECOND_HALF_PRE;
     case Stage::Second:
       return WireStage::NORMAL_SECOND_HALF;
+    case Stage::ExtraBreak:
+      return WireStage::EXTRA_TIME_BREAK;
+    case Stage::PreExtraFirst:
+      return WireStage::EXTRA_FIRST_HALF_PRE;
+    case Stage::ExtraFirst:
+      return WireStage::EXTRA_FIRST_HALF;
+    case Stage::ExtraHalfTime:
+      return WireStage::EXTRA_HALF_TIME;
+    case Stage::PreExtraSecond:
+      return WireStage::EXTRA_SECOND_HALF_PRE;
+    case Stage::ExtraSecond:
+      return WireStage::EXTRA_SECOND_HALF;
+    case Stage::ShootoutBreak:
+      return WireStage::PENALTY_SHOOTOUT_BREAK;
+    case Stage::Shootout:
+      return WireStage::PENALTY_SHOOTOUT;
     case Stage::Post:
       return WireStage::POST_GAME;
   }
@@ -36,23 +52,31 @@ proto::Referee::Stage to_wire(Stage stage) {
 Stage from_wire(proto::Referee::Stage stage) {
   switch (stage) {
     case WireStage::NORMAL_FIRST_HALF_PRE:
-    case WireStage::EXTRA_FIRST_HALF_PRE:
       return Stage::PreFirst;
     case WireStage::NORMAL_FIRST_HALF:
-    case WireStage::EXTRA_FIRST_HALF:
       return Stage::First;
     case WireStage::NORMAL_HALF_TIME:
-    case WireStage::EXTRA_TIME_BREAK:
-    case WireStage::EXTRA_HALF_TIME:
-    case WireStage::PENALTY_SHOOTOUT_BREAK:
       return Stage::HalfTime;
     case WireStage::NORMAL_SECOND_HALF_PRE:
-    case WireStage::EXTRA_SECOND_HALF_PRE:
       return Stage::PreSecond;
     case WireStage::NORMAL_SECOND_HALF:
-    case WireStage::EXTRA_SECOND_HALF:
-    case WireStage::PENALTY_SHOOTOUT:
       return Stage::Second;
+    case WireStage::EXTRA_TIME_BREAK:
+      return Stage::ExtraBreak;
+    case WireStage::EXTRA_FIRST_HALF_PRE:
+      return Stage::PreExtraFirst;
+    case WireStage::EXTRA_FIRST_HALF:
+      return Stage::ExtraFirst;
+    case WireStage::EXTRA_HALF_TIME:
+      return Stage::ExtraHalfTime;
+    case WireStage::EXTRA_SECOND_HALF_PRE:
+      return Stage::PreExtraSecond;
+    case WireStage::EXTRA_SECOND_HALF:
+      return Stage::ExtraSecond;
+    case WireStage::PENALTY_SHOOTOUT_BREAK:
+      return Stage::ShootoutBreak;
+    case WireStage::PENALTY_SHOOTOUT:
+      return Stage::Shootout;
     case WireStage::POST_GAME:
       return Stage::Post;
   }
@@ -143,7 +167,7 @@ void encode_team(const world::TeamInfo& team, proto::Referee::TeamInfo& out) {
   out.set_red_cards(to_unsigned(team.red_cards));
   for (const world::Duration time : team.yellow_card_times)
     out.add_yellow_card_times(to_unsigned(to_us(time)));
-  out.set_yellow_cards(to_unsigned(static_cast<std::int64_t>(team.yellow_card_times.size())));
+  out.set_yellow_cards(to_unsigned(team.yellow_cards));
   out.set_timeouts(to_unsigned(team.timeouts));
   out.set_timeout_time(to_unsigned(to_us(team.timeout_time)));
   out.set_goalkeeper(to_unsigned(team.keeper));
@@ -157,6 +181,7 @@ world::TeamInfo decode_team(const proto::Referee::TeamInfo& team) {
   result.score = to_int(team.score());
   result.red_cards = to_int(team.red_cards());
   for (const std::uint32_t time : team.yellow_card_times()) result.yellow_card_times.push_back(from_us(time));
+  result.yellow_cards = to_int(team.yellow_cards());
   result.timeouts = to_int(team.timeouts());
   result.timeout_time = from_us(team.timeout_time());
   result.keeper = to_int(team.goalkeeper());

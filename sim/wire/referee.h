@@ -21,9 +21,7 @@ void encode(const world::RefereeMessage& message, Epoch epoch, proto::Referee& o
 /// The referee's message from the wire, of any version since 2013; nothing when stage or command are missing
 /// or unknown.
 ///
-/// BALL_PLACEMENT, which the paper does not have, reads as STOP with its designated position; extra time
-/// reads as the half it resembles, its breaks and that of a shoot-out as half-time, a shoot-out as the second
-/// half.
+/// BALL_PLACEMENT, which the paper does not have, reads as STOP with its designated position.
 std::optional<world::RefereeMessage> decode(const proto::Referee& message, Epoch epoch);
 
 /// The league's event for one of ours; false, and `out` empty, when the league has none.

@@ -74,9 +74,12 @@ Vector2d moved_out_of_defense_area(const Field& field, Side side, const Vector2d
     if (out.norm() < 1e-9) out = {1, 0};
     p = centre + out.normalized() * (area.radius + distance);
   } else {
+    const Vector2d corner{area.depth, std::copysign(area.width / 2, p.y())};
     const double need_x = area.depth + distance - p.x();
     const double need_y = area.width / 2 + distance - std::abs(p.y());
-    if (need_x <= need_y) {
+    if (p.x() > area.depth && std::abs(p.y()) > area.width / 2) {
+      p = corner + (p - corner).normalized() * distance;
+    } else if (need_x <= need_y) {
       p.x() += need_x;
     } else {
       p.y() += std::copysign(need_y, p.y());

@@ -30,6 +30,22 @@ const char* name(Stage stage) {
       return "PRE-SECOND";
     case Stage::Second:
       return "SECOND";
+    case Stage::ExtraBreak:
+      return "EXTRA-BREAK";
+    case Stage::PreExtraFirst:
+      return "PRE-EXTRA-FIRST";
+    case Stage::ExtraFirst:
+      return "EXTRA-FIRST";
+    case Stage::ExtraHalfTime:
+      return "EXTRA-HALFTIME";
+    case Stage::PreExtraSecond:
+      return "PRE-EXTRA-SECOND";
+    case Stage::ExtraSecond:
+      return "EXTRA-SECOND";
+    case Stage::ShootoutBreak:
+      return "SHOOTOUT-BREAK";
+    case Stage::Shootout:
+      return "SHOOTOUT";
     case Stage::Post:
       return "POST";
   }

@@ -14,8 +14,23 @@ namespace world {
 /// Where the game is, as the paper's automaton names it (Table 3, and INIT of Table 10).
 enum class Location : std::uint8_t { Init, GameOn, GameOff, Setup, Break };
 
-/// The paper's coarse stages (Table 5).
-enum class Stage : std::uint8_t { PreFirst, First, HalfTime, PreSecond, Second, Post };
+/// The paper's coarse stages (Table 5), and those of a game that needs a winner (laws of 2015, appendix A).
+enum class Stage : std::uint8_t {
+  PreFirst,
+  First,
+  HalfTime,
+  PreSecond,
+  Second,
+  ExtraBreak,
+  PreExtraFirst,
+  ExtraFirst,
+  ExtraHalfTime,
+  PreExtraSecond,
+  ExtraSecond,
+  ShootoutBreak,
+  Shootout,
+  Post
+};
 
 /// The paper's referee commands (Table 1, with PENALTY and TIMEOUT of the appendix).
 enum class CommandKind : std::uint8_t {
@@ -49,6 +64,13 @@ const char* name(Location location);
 const char* name(Stage stage);
 const char* name(CommandKind kind);
 
+/// A penalty kick from the moment it was taken until it is decided (laws of 2015, Law 14).
+struct PenaltyKick {
+  Time taken;
+  std::optional<RobotId> attacker{};  ///< who of the kicking team was where it must not be
+  std::optional<RobotId> defender{};  ///< who of the others
+};
+
 /// The automaton's location and variables: the paper's Table 6 with the additions of its appendix.
 struct GameState {
   Location location = Location::Init;
@@ -71,6 +93,11 @@ struct GameState {
   std::optional<Vector2d> kick_position;  ///< [m] ball when the present restart was signalled
   PerTeam<int> red_cards{};
   PerTeam<std::vector<Duration>> yellow_times{};  ///< remaining time of each card
+  PerTeam<int> yellow_cards{};                    ///< ever shown
+  std::optional<PenaltyKick> penalty;             ///< while it is not decided
+  PerTeam<int> shootout_kicks{};                  ///< taken in the shoot-out
+  PerTeam<int> shootout_goals{};                  ///< scored in it; they count in `score` too
+  bool halted = false;  ///< paused, in BREAK: by the operator, or because nothing is seen
 
   // What the paper takes as given.
   Team first_kickoff = Team::Yellow;

@@ -16,8 +16,9 @@ struct TeamInfo {
   std::vector<Duration> yellow_card_times;
   int timeouts = 0;
   Duration timeout_time{};
-  int keeper = 0;      ///< robot number
-  int max_robots = 6;  ///< allowed on the field now
+  int keeper = 0;        ///< robot number
+  int max_robots = 6;    ///< allowed on the field now
+  int yellow_cards = 0;  ///< ever shown
 };
 
 /// What the league's referee message says, in our units.

@@ -183,6 +183,50 @@ TEST_P(RestartScenario, ATimeoutEndsWhenItIsUsedUp) {
   EXPECT_EQ(story.commands(), "STOP TIMEOUT(yellow) STOP KICKOFF(yellow) READY");
 }
 
+// R-4.1-2: four, five minutes in all, only while play is stopped, and the half's clock stands.
+TEST_P(RestartScenario, AFifthTimeoutIsRefusedAndTheClockStandsInAll) {
+  Story story(GetParam());
+  story.begin();
+  const Team team = story.seen(Team::Blue);
+  const world::Duration left = *story.referee().message().stage_time_left;
+  story.commands();
+  story.kick(blue(3), {0.5, 3.3});
+  const double stopped = story.now();
+  for (int i = 0; i < 5; ++i) {
+    story.referee().request_timeout(team);
+    story.tick();
+    EXPECT_EQ(story.state().location, i < 4 ? Location::Break : Location::GameOff) << i;
+    story.wait(i < 4 ? 30 : 0);
+    story.referee().end_timeout(team);
+    story.tick();
+  }
+  EXPECT_EQ(story.commands(),
+            "STOP TIMEOUT(blue) STOP TIMEOUT(blue) STOP TIMEOUT(blue) STOP TIMEOUT(blue) STOP");
+  EXPECT_EQ(story.state().timeout_num[team], 0);
+  EXPECT_NEAR(world::seconds(story.state().timeout_time[team]), 300 - 4 * 30, 0.2);
+  // The half lost only what was played: all but two minutes since it was stopped, and the play before.
+  const double lost = world::seconds(left - *story.referee().message().stage_time_left);
+  EXPECT_LT(lost, story.now() - stopped - 4 * 30 + 2);
+}
+
+TEST_P(RestartScenario, ATimeoutIsTheOtherTeamsToo) {
+  Story story(GetParam());
+  story.begin();
+  story.kick(blue(3), {0.5, 3.3});
+  const Team team = story.seen(Team::Yellow);
+  story.referee().request_timeout(team);
+  story.wait(10);
+  story.referee().end_timeout(world::opponent(team));  // not its own
+  story.tick();
+  EXPECT_EQ(story.state().location, Location::Break);
+  story.referee().request_timeout(world::opponent(team));  // waits until the first is over
+  story.wait(10);
+  story.referee().end_timeout(team);
+  story.wait(0.1);
+  EXPECT_EQ(story.state().timeout_team, world::opponent(team));
+  EXPECT_NEAR(world::seconds(story.state().timeout_time[team]), 280, 0.1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Views, RestartScenario, ::testing::ValuesIn(all_views()), view_name);
 
 }  // namespace

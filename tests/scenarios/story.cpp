@@ -13,10 +13,12 @@ using world::Location;
 using world::Team;
 using world::Vector2d;
 
-referee::Setup setup_for(const View& view, const std::string& rules, double half_length) {
+referee::Setup setup_for(const View& view, const std::string& rules, double half_length, bool winner) {
   referee::Setup setup;
   setup.rules = world::rule_set(rules);
   setup.rules.half_length = world::from_seconds(half_length);
+  setup.rules.extra_half_length = setup.rules.half_length;
+  setup.rules.winner = winner;
   setup.first_kickoff = view.swap_colours ? Team::Blue : Team::Yellow;
   setup.blue_on_positive_half = view.mirror_x == view.swap_colours;
   setup.names = {"Y", "B"};
@@ -66,10 +68,10 @@ std::string name(const View& view) {
   return text.empty() ? "AsWritten" : text;
 }
 
-Story::Story(View view, const std::string& rules, double half_length)
-    : view_(view), referee_(setup_for(view, rules, half_length)), watchers_(world::rule_set(rules)) {
+Story::Story(View view, const std::string& rules, double half_length, bool winner)
+    : view_(view), referee_(setup_for(view, rules, half_length, winner)), watchers_(world::rule_set(rules)) {
   if (view.seed != 0) {
-    const referee::Setup setup = setup_for(view, rules, half_length);
+    const referee::Setup setup = setup_for(view, rules, half_length, winner);
     cameras_.emplace(setup.geometry, engine::realism("harsh").vision, view.seed);
   }
   for (const Team team : world::both_teams) {
@@ -200,6 +202,8 @@ void Story::tick() {
   }
   host(output);
 }
+
+void Story::skip(double seconds) { tick_ += std::lround(seconds * world::ticks_per_second); }
 
 void Story::wait(double seconds) {
   const long ticks = std::lround(seconds * world::ticks_per_second);

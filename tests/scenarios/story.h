@@ -35,11 +35,14 @@ std::string name(const View& view);
 /// turned by the view on the way in and back on the way out. Both teams have six robots, none near the ball.
 class Story {
  public:
-  explicit Story(View view = {}, const std::string& rules = "ssl-2015", double half_length = 600);
+  explicit Story(View view = {}, const std::string& rules = "ssl-2015", double half_length = 600,
+                 bool winner = false);
 
   // --- What happens ---
 
   void tick();
+  /// Time passes without any frame.
+  void skip(double seconds);
   void wait(double seconds);
   /// Ticks until the referee is in the location, at most `limit` seconds.
   bool wait_for(world::Location location, double limit = 40);
@@ -96,6 +99,8 @@ class Story {
   world::Vector2d ball() const { return ball_; }
   double now() const { return world::seconds(world::tick_time(tick_)); }
   world::Team seen(world::Team team) const { return view_.swap_colours ? world::opponent(team) : team; }
+  /// A place as the referee sees it, and back.
+  world::Vector2d turned(const world::Vector2d& place) const;
   world::RobotId seen(world::RobotId robot) const { return {seen(robot.team), robot.number}; }
 
  private:
@@ -109,7 +114,6 @@ class Story {
   };
 
   Robot& robot(world::RobotId id);
-  world::Vector2d turned(const world::Vector2d& place) const;
   world::TrackedFrame frame();
   referee::Output show();
   void look(std::int64_t tick);

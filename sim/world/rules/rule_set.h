@@ -34,6 +34,22 @@ struct RuleSet {
   int timeouts = 4;
   Duration timeout_time = std::chrono::minutes{5};
   Duration yellow_card = std::chrono::minutes{2};
+  Duration vision_timeout = std::chrono::seconds{2};  ///< nothing seen for so long: HALT
+
+  // A game that needs a winner.
+  bool winner = false;  ///< a draw is followed by extra time, and that by a shoot-out
+  Duration extra_break = std::chrono::seconds{0};
+  Duration extra_half_length = std::chrono::minutes{5};
+  Duration extra_half_time = std::chrono::seconds{0};
+  int extra_timeouts = 2;
+  Duration extra_timeout_time = std::chrono::minutes{5};
+  Duration shootout_break = std::chrono::seconds{0};
+  int shootout_kicks = 5;   ///< of each team, before it goes on kick by kick
+  int shootout_robots = 2;  ///< of each team on the field
+
+  // Penalty kicks.
+  double penalty_line = 0.4;  ///< [m] behind the mark: where all but kicker and keeper wait
+  Duration penalty_time = std::chrono::seconds{10};  ///< from the kick: then it is decided
 
   // Stoppages.
   double stop_speed = 1.5;                        ///< [m/s]

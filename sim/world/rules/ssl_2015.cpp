@@ -31,14 +31,26 @@ RuleSet ssl_2015() {
       "too near in stop",       // Laws 5 and 9
       "interfered placement",   // Law 9
   };
-  rules.chip_model = true;              // Law 12, decision 7, needs heights
-  rules.half_length = 10min;            // Law 7
-  rules.half_time = 0s;                 // Law 7 allows up to 5 min; nobody waits in a simulated game
-  rules.half_overrun = 60s;             // ours: a half ends at a stoppage, but not later than this (I-18)
-  rules.kick_time = 10s;                // Law 9
-  rules.timeouts = 4;                   // Law 7
-  rules.timeout_time = 5min;            // Law 7
-  rules.yellow_card = 2min;             // Law 12
+  rules.chip_model = true;    // Law 12, decision 7, needs heights
+  rules.half_length = 10min;  // Law 7
+  rules.half_time = 0s;       // Law 7 allows up to 5 min; nobody waits in a simulated game
+  rules.half_overrun = 60s;   // ours: a half ends at a stoppage, but not later than this (I-18)
+  rules.kick_time = 10s;      // Law 9
+  rules.timeouts = 4;         // Law 7
+  rules.timeout_time = 5min;  // Law 7
+  rules.yellow_card = 2min;   // Law 12
+  rules.vision_timeout = 2s;  // ours: 120 images of every camera; bursts of losses hide balls, not images
+  rules.winner = false;       // appendix A: knock-out games only
+  rules.extra_break = 0s;     // appendix A allows up to 5 min; as the half-time
+  rules.extra_half_length = 5min;       // appendix A
+  rules.extra_half_time = 0s;           // appendix A allows up to 2 min
+  rules.extra_timeouts = 2;             // appendix A
+  rules.extra_timeout_time = 5min;      // appendix A
+  rules.shootout_break = 0s;            // appendix A allows up to 2 min
+  rules.shootout_kicks = 5;             // appendix A
+  rules.shootout_robots = 2;            // appendix A
+  rules.penalty_line = 0.4;             // Law 14
+  rules.penalty_time = 10s;             // ours: Law 14 leaves the decision to the referee
   rules.stop_speed = 1.5;               // Law 12, caution 9
   rules.stop_speed_margin = 0.1;        // ER-Force's autoref
   rules.stop_distance = 0.5;            // Laws 5 and 9

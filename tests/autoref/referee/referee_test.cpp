@@ -77,6 +77,84 @@ TEST(Referee, SurvivesAGapARepetitionAndANewClock) {
   EXPECT_NE(referee.state().location, Location::Init);
 }
 
+// Bad input: no images, by the receiver's clock.
+TEST(Referee, HaltsTheGameWhenVisionStopsAndGoesOnWhenItIsBack) {
+  Referee referee({});
+  run(referee, 1, 150);
+  ASSERT_EQ(referee.state().location, Location::Setup);
+  const std::uint32_t commands = referee.state().command_counter;
+  std::vector<std::pair<std::int64_t, std::string>> calls;
+  const auto note = [&](std::int64_t tick, const Output& output) {
+    for (const Call& call : output.calls) {
+      EXPECT_TRUE(output.message_changed);
+      calls.emplace_back(tick, call.sentence);
+    }
+  };
+  for (std::int64_t tick = 150; tick < 600; ++tick) {
+    note(tick, referee.update({}, world::tick_time(tick)));
+    EXPECT_EQ(referee.message().command.kind == world::CommandKind::Halt, !calls.empty());
+  }
+  ASSERT_EQ(calls.size(), 1u);
+  EXPECT_EQ(calls[0].first, 150 + 120);  // two seconds after the first tick without
+  EXPECT_EQ(calls[0].second, "no camera image for 2.0 s, so the game is halted");
+  EXPECT_EQ(referee.message().status, calls[0].second);
+
+  note(600, referee.update(images(600, {0, 0}), world::tick_time(600)));
+  ASSERT_EQ(calls.size(), 2u);
+  EXPECT_THAT(calls[1].second, ::testing::HasSubstr("next is the kickoff for yellow"));
+  EXPECT_EQ(referee.message().command.kind, world::CommandKind::Stop);
+  EXPECT_EQ(referee.state().command_counter, commands + 2);
+  run(referee, 601, 900);
+  EXPECT_EQ(referee.state().location, Location::Setup);
+}
+
+// A log has no clock but its images': the calls are those of the game, the halt dated as it was.
+TEST(Referee, CallsTheSameWhenTheGapIsOnlySeenAfterwards) {
+  Referee live({});
+  Referee again({});
+  run(live, 1, 150);
+  run(again, 1, 150);
+  std::vector<std::string> called;
+  for (std::int64_t tick = 150; tick < 600; ++tick) {
+    for (const Call& call : live.update({}, world::tick_time(tick)).calls)
+      called.push_back(format_call(call));
+  }
+  for (const Call& call : live.update(images(600, {0, 0}), world::tick_time(600)).calls) {
+    called.push_back(format_call(call));
+  }
+  std::vector<std::string> repeated;
+  for (const Call& call : again.update(images(600, {0, 0})).calls) repeated.push_back(format_call(call));
+  EXPECT_EQ(called.size(), 2u);
+  EXPECT_EQ(repeated, called);
+  EXPECT_EQ(again.state().stage_end, live.state().stage_end);
+}
+
+// Back with a clock that starts anew: the tracker takes three batches to believe it.
+TEST(Referee, GoesOnWhenVisionIsBackWithANewClock) {
+  Referee referee({});
+  run(referee, 3000, 3150);
+  ASSERT_EQ(referee.state().location, Location::Setup);
+  for (std::int64_t tick = 0; tick < 300; ++tick) referee.update({}, world::tick_time(tick));
+  ASSERT_EQ(referee.message().command.kind, world::CommandKind::Halt);
+  std::vector<std::string> calls;
+  for (std::int64_t tick = 1; tick < 10; ++tick) {
+    for (const Call& call : referee.update(images(tick, {0, 0})).calls) calls.push_back(call.sentence);
+  }
+  ASSERT_EQ(calls.size(), 1u);
+  EXPECT_EQ(calls[0], "images are back with a new clock, next is the kickoff for yellow");
+  run(referee, 10, 300);
+  EXPECT_EQ(referee.state().location, Location::Setup);
+  EXPECT_GT(*referee.message().stage_time_left, 590s);
+}
+
+TEST(Referee, KnowsNothingOfImagesBeforeTheFirst) {
+  Referee referee({});
+  for (std::int64_t tick = 0; tick < 1000; ++tick) {
+    EXPECT_TRUE(referee.update({}, world::tick_time(tick)).calls.empty());
+  }
+  EXPECT_EQ(referee.state().location, Location::Init);
+}
+
 TEST(Referee, AsksAgainForABallThatIsNotInPlace) {
   Referee referee({});
   run(referee, 1, 10, {1, 1});

@@ -35,6 +35,7 @@ inline MatchConfig example_config() {
   config.recording = "again.replies";
   config.realism = {"harsh", {{"vision.ball_sigma", 0.001}}};
   config.half_length = 12.5;
+  config.winner = true;
   config.blue_on_positive_half = false;
   config.first_kickoff = world::Team::Blue;
   config.log = "games/x.log.gz";

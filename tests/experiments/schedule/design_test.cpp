@@ -48,6 +48,7 @@ forfeit_goals = 5
 [rules]
 set = "paper"
 half_length = 30
+winner = true
 [teams.a]
 command = ["team-reference"]
 [teams.b]
@@ -71,6 +72,7 @@ b = { command = ["python3", "team.py"], robots = [1], arguments = ["-v"] }
   EXPECT_EQ(design.forfeit_goals, 5);
   EXPECT_EQ(design.rules, "paper");
   EXPECT_EQ(design.half_length, 30);
+  EXPECT_TRUE(design.winner);
   ASSERT_EQ(design.conditions.size(), 2U);
   EXPECT_EQ(design.conditions[0].name, "as-they-are");
   EXPECT_EQ(design.conditions[0].a.name, "team-reference");
@@ -142,6 +144,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "night.toml:4: rules.set = 'fifa': there is no such one; known are: ssl-2015"},
         Mistake{head + "[rules]\nhalf_length = 0" + teams,
                 "night.toml:4: rules.half_length = 0: must be from 1"},
+        Mistake{head + "[rules]\nwinner = 1" + teams,
+                "night.toml:4: rules.winner = 1: must be true or false"},
         Mistake{head + "[rules]\nhalf_length = nan" + teams,
                 "night.toml:4: rules.half_length = nan: must be from"},
         Mistake{head + "[rules]\nhalf = 3" + teams, "night.toml:4: unknown key rules.half = 3"},
@@ -206,7 +210,7 @@ TEST(CanonicalDesign, DoesNotDependOnHowTheFileIsWritten) {
 TEST(CanonicalDesign, ChangesWithWhatDecidesTheGames) {
   const std::string base = canonical(parse_design("name = \"n\"\npairs = 2" + teams, "n"));
   for (const char* line : {"seed = 2", "realism = \"none\"", "forfeit_goals = 4", "rules.half_length = 30",
-                           "realism.radio.loss = 0.1"}) {
+                           "rules.winner = true", "realism.radio.loss = 0.1"}) {
     EXPECT_NE(canonical(parse_design("name = \"n\"\npairs = 2\n" + std::string(line) + teams, "n")), base)
         << line;
   }

@@ -26,7 +26,7 @@ world::RefereeMessage full_message() {
   message.command = {CommandKind::Direct, Team::Blue};
   message.command_counter = 4'000'000'000U;
   message.command_time = world::Time{microseconds{120'000'001}};
-  message.teams.yellow = {"Tigers", 2, 1, {seconds{30}, seconds{90}}, 3, seconds{250}, 4, 5};
+  message.teams.yellow = {"Tigers", 2, 1, {seconds{30}, seconds{90}}, 3, seconds{250}, 4, 5, 7};
   message.teams.blue = {"Mice", 0, 0, {}, 4, seconds{300}, 0, 6};
   message.designated_position = world::Vector2d(1.25, -3.0);
   message.blue_on_positive_half = false;
@@ -45,6 +45,7 @@ void expect_same(const world::TeamInfo& a, const world::TeamInfo& b) {
   EXPECT_EQ(a.timeout_time, b.timeout_time);
   EXPECT_EQ(a.keeper, b.keeper);
   EXPECT_EQ(a.max_robots, b.max_robots);
+  EXPECT_EQ(a.yellow_cards, b.yellow_cards);
 }
 
 void expect_same(const world::RefereeMessage& a, const world::RefereeMessage& b) {
@@ -153,16 +154,16 @@ TEST(RefereeMessage, BallPlacementReadsAsStop) {
   EXPECT_EQ(back->designated_position, full_message().designated_position);
 }
 
-TEST(RefereeMessage, ExtraTimeReadsAsTheHalfItResembles) {
+TEST(RefereeMessage, ExtraTimeAndShootoutHaveStagesOfTheirOwn) {
   const std::array<std::pair<Referee::Stage, Stage>, 8> expected = {{
-      {Referee::EXTRA_TIME_BREAK, Stage::HalfTime},
-      {Referee::EXTRA_FIRST_HALF_PRE, Stage::PreFirst},
-      {Referee::EXTRA_FIRST_HALF, Stage::First},
-      {Referee::EXTRA_HALF_TIME, Stage::HalfTime},
-      {Referee::EXTRA_SECOND_HALF_PRE, Stage::PreSecond},
-      {Referee::EXTRA_SECOND_HALF, Stage::Second},
-      {Referee::PENALTY_SHOOTOUT_BREAK, Stage::HalfTime},
-      {Referee::PENALTY_SHOOTOUT, Stage::Second},
+      {Referee::EXTRA_TIME_BREAK, Stage::ExtraBreak},
+      {Referee::EXTRA_FIRST_HALF_PRE, Stage::PreExtraFirst},
+      {Referee::EXTRA_FIRST_HALF, Stage::ExtraFirst},
+      {Referee::EXTRA_HALF_TIME, Stage::ExtraHalfTime},
+      {Referee::EXTRA_SECOND_HALF_PRE, Stage::PreExtraSecond},
+      {Referee::EXTRA_SECOND_HALF, Stage::ExtraSecond},
+      {Referee::PENALTY_SHOOTOUT_BREAK, Stage::ShootoutBreak},
+      {Referee::PENALTY_SHOOTOUT, Stage::Shootout},
   }};
   for (const auto& [wire_stage, stage] : expected) {
     Referee message = encoded(full_message());
