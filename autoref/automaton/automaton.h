@@ -44,6 +44,9 @@ class Automaton {
   /// instants are moved with it, and the detectors of the present location forget the past.
   void clock_restarted(world::Time time);
 
+  /// What the detectors saw in the last update, taken by a row or not.
+  std::span<const Occurrence> occurrences() const { return occurrences_; }
+
   // For what no row knows: the operator's overrides, and halts (interrupt.h). What is sent and entered so is
   // dated with the state's time.
 
@@ -53,9 +56,6 @@ class Automaton {
   void send(const world::Command& command);
   /// Enters a location, perhaps the present one anew; its detectors forget the past.
   void enter(world::Location location);
-
-  /// What the detectors saw in the last update, taken by a row or not.
-  std::span<const Occurrence> occurrences() const { return occurrences_; }
 
   void set_keeper(world::Team team, int number) { state_.keeper[team] = number; }
 

@@ -32,6 +32,12 @@ struct FoulOf {
     return Foul{e.by, e.location, Minor, Card::Yellow};
   }
 
+  // Law 13: the kick is taken again; cautions 3 and 5: who is near then too is shown a card.
+  Result operator()(const world::KickTaken& e) const {
+    if (!e.again || !e.opponent_near_ball || e.attacker_near_area) return std::nullopt;
+    return Foul{*e.opponent_near_ball, e.location, Minor, Card::Yellow};
+  }
+
   // Law 12, caution 9. The ball is out of play: no free kick.
   Result operator()(const world::BotTooFastInStop& e) const {
     return Foul{e.by, e.location, Minor, Card::Yellow};

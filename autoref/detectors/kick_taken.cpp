@@ -10,6 +10,7 @@ namespace {
 constexpr double kick_speed = 0.4;           // [m/s]
 constexpr double least_travel = 0.01;        // [m] for a kick known by its speed
 constexpr double opponent_tolerance = 0.02;  // [m]
+constexpr double same_place = 0.1;           // [m] twice the placement's tolerance
 
 }  // namespace
 
@@ -59,6 +60,12 @@ std::vector<world::GameEvent> KickTaken::update(const world::TrackedFrame& frame
     }
   }
   if (state.is_kickoff) kick.wrong_half = robot_in_wrong_half(frame, state);
+  if (kick.opponent_near_ball && !state.is_kickoff) {
+    kick.again = spoilt_ && spoilt_->team == state.kick_team && (spoilt_->place - place).norm() < same_place;
+    spoilt_ = Attempt{state.kick_team, place};
+  } else {
+    spoilt_.reset();
+  }
   return {{*taken, kick}};
 }
 

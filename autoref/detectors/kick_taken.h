@@ -17,6 +17,9 @@ namespace detectors {
 /// Guard   |ball - place| - kick_travel  [m], or speed - 0.4 m/s once it has moved 10 mm; the earlier of the
 /// two
 ///         (reference "requirements", 1.10; the 10 mm are ours, against a hiccup of the filter).
+/// Again   (Law 12, cautions 3 and 5: free kicks, goal kicks and corner kicks) when an opponent was near at
+/// the
+///         last attempt too, of the same team from within 0.1 m.
 /// Blames  the nearest robot of the team that may kick (I-34); a kick by an opponent shows as an opponent
 /// near the
 ///         ball. Distances are measured to where the ball lay: a wall is not near because the ball flew at
@@ -31,7 +34,7 @@ class KickTaken final : public Detector {
 
   std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
                                        const world::GameState& state) override;
-  void reset() override {
+  void reset() override {  // all but the last attempt: this one may be its retake
     moved_.reset();
     sped_up_.reset();
     reported_ = false;
@@ -47,6 +50,12 @@ class KickTaken final : public Detector {
   std::optional<world::GuardSample> moved_;
   std::optional<world::GuardSample> sped_up_;
   bool reported_ = false;
+
+  struct Attempt {
+    world::Team team;
+    world::Vector2d place;  // [m]
+  };
+  std::optional<Attempt> spoilt_;  // the last kick, when an opponent was near
 };
 
 }  // namespace detectors

@@ -246,10 +246,8 @@ Call explain(const Transition& transition, const world::RuleSet& rules) {
   const std::optional<std::string> special = special_sentence(transition, rules);
   if (only_a_card) {
     if (transition.occurrence.event) call.sentence = describe(*transition.occurrence.event);
-    call.sentence += card_text(transition);
   } else if (call.stops_play) {
-    call.sentence = fmt::format("{}{}, so {}", special ? *special : cause_of(transition, rules),
-                                card_text(transition), call.restart);
+    call.sentence = fmt::format("{}, so {}", special ? *special : cause_of(transition, rules), call.restart);
     if (call.position) call.sentence += " from " + text(*call.position);
   } else if (special) {
     call.sentence = *special;

@@ -163,6 +163,7 @@ struct KickTaken {
   std::optional<RobotId> attacker_near_area;  ///< team-mate closer than 0.2 m to the opponents' defense area
   std::optional<RobotId> opponent_near_ball;  ///< opponent closer than 0.5 m to the ball
   std::optional<RobotId> wrong_half;          ///< at a kickoff: robot not in its own half
+  bool again = false;  ///< an opponent was near the ball at the last attempt at this free kick too
 };
 
 /// Ball in place, robots slow for long enough (paper, Algorithm 3) or the wait was too long.

@@ -174,6 +174,30 @@ TEST(KickTaken, IsTheInstantAtFiftyMillimetres) {
   EXPECT_EQ(std::get<world::KickTaken>(events[0].what).by, yellow_3);
 }
 
+TEST(KickTaken, KnowsWhenAnOpponentIsNearASecondTime) {
+  KickTaken detector(rules());
+  world::GameState state;
+  state.kick_team = Team::Blue;  // the robot of the frames is an opponent, at the ball
+  state.kick_position = Vector2d{0, 0};
+  const auto attempt = [&](Vector2d place) {
+    detector.reset();
+    state.kick_position = place;
+    std::optional<world::KickTaken> kick;
+    for (int i = 1; i < 20; ++i) {
+      const TrackedFrame frame = frame_at(Time{i * 10ms}, place + Vector2d{0.01 * i, 0});
+      for (const GameEvent& event : detector.update(frame, state))
+        kick = std::get<world::KickTaken>(event.what);
+    }
+    return kick.value().again;
+  };
+  EXPECT_FALSE(attempt({0, 0}));
+  EXPECT_TRUE(attempt({0.02, 0}));
+  EXPECT_TRUE(attempt({0, 0}));
+  EXPECT_FALSE(attempt({1, 0}));  // another kick
+  state.is_kickoff = true;        // Law 12, caution 5, does not name the kickoff
+  EXPECT_FALSE(attempt({1, 0}));
+}
+
 TEST(NoProgress, WantsTwelveSecondsAndReportsOncePerWait) {
   NoProgress detector(rules());
   EXPECT_TRUE(along(detector, {0, 0}, {0, 0}, 1199).empty());

@@ -223,6 +223,11 @@ TEST(FoulOf, FollowsTheLaws) {
   expect(foul(collision), Severity::Serious, Card::None);
   collision.advantage = true;
   EXPECT_FALSE(foul(collision));
+  world::KickTaken kick;
+  kick.opponent_near_ball = yellow_3;
+  EXPECT_FALSE(foul(kick));  // taken again
+  kick.again = true;
+  expect(foul(kick), Severity::Minor, Card::Yellow);
   EXPECT_FALSE(foul(world::BotCrashDrawn{}));
   EXPECT_FALSE(foul(world::BotTooNearInStop{yellow_3, here, 0.3}));
   EXPECT_FALSE(foul(world::BotInterferedPlacement{yellow_3, here}));
