@@ -109,4 +109,10 @@ bool shootout_is_decided(const world::RuleSet& rules, const world::GameState& st
   return goals.yellow > can_reach(Team::Blue) || goals.blue > can_reach(Team::Yellow);
 }
 
+bool shootout_is_over(const world::RuleSet& rules, const world::GameState& state) {
+  const auto& kicks = state.shootout_kicks;
+  return shootout_is_decided(rules, state) ||
+         (kicks.yellow >= rules.shootout_limit && kicks.blue >= rules.shootout_limit);
+}
+
 }  // namespace automaton

@@ -38,4 +38,7 @@ int ends_changed(world::Stage stage);
 /// many kicks, at least `shootout_kicks` each (appendix A).
 bool shootout_is_decided(const world::RuleSet& rules, const world::GameState& state);
 
+/// Whether it ends: decided, or after `shootout_limit` kicks each.
+bool shootout_is_over(const world::RuleSet& rules, const world::GameState& state);
+
 }  // namespace automaton

@@ -413,7 +413,7 @@ constexpr std::array<Row, 41> table = {{
     {"R15-15.e", GameOn, GameOn, always, penalty_is_over, nullptr, penalty_decided, false, "penalty: played out"},
     {"I-18.on", GameOn, GameOff, always, half_is_overdue, stop, neutral_start, false, "half is overdue"},
 
-    {"R8-10.f", GameOff, Break, always, [](const Context& c) { return in_shootout(c) && shootout_is_decided(c.rules, c.state); }, stage_end, end_shootout, false, "shoot-out: decided"},
+    {"R8-10.f", GameOff, Break, always, [](const Context& c) { return in_shootout(c) && shootout_is_over(c.rules, c.state); }, stage_end, end_shootout, false, "shoot-out: decided, or long enough"},
     {"T16.a", GameOff, Break, always, half_is_over, stage_end, end_half, false, "half is over"},
     {"T16.b", GameOff, Break, awaits, timeout_is_granted, timeout, begin_timeout, false, "time-out requested"},
     {"I-9.off", GameOff, GameOff, awaits, card_shown, nullptr, show_card, false, "foul with a card while play is stopped"},

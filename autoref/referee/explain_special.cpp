@@ -72,7 +72,8 @@ std::optional<std::string> special_sentence(const Transition& transition, const 
                        shootout_text(after));
   }
   if (row == "R8-10.f") {
-    return fmt::format("the shoot-out is decided, {}; {}", score_text(after.score), shootout_text(after));
+    const char* how = after.score.yellow == after.score.blue ? "over without a winner" : "decided";
+    return fmt::format("the shoot-out is {}, {}; {}", how, score_text(after.score), shootout_text(after));
   }
   if (row == "T16.a") return stage_end_text(after);
   if (row == "T17.a") return next_half_text(after);

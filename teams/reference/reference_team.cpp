@@ -107,7 +107,8 @@ skills::Order ReferenceTeam::order_for(const kit::View& view, const Situation& s
   if (is_kickoff(game.phase) && !(kicker && game.phase == Phase::Kickoff)) stay_in_own_half(robot, order);
   if (is_penalty(game.phase) && !kicker && !goalie) stay_behind_penalty_line(view, robot, order);
   if (kicker) {
-    order.their_area = 0.25;
+    // The penalty mark lies on the edge of their area; the kicker may go there (Law 9 speaks of team-mates).
+    order.their_area = is_penalty(game.phase) ? -0.3 : 0.25;
     return order;
   }
   if (game.ours) {

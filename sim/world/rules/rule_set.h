@@ -45,6 +45,7 @@ struct RuleSet {
   Duration extra_timeout_time = std::chrono::minutes{5};
   Duration shootout_break = std::chrono::seconds{0};
   int shootout_kicks = 5;   ///< of each team, before it goes on kick by kick
+  int shootout_limit = 20;  ///< of each team; then the draw stays, so that every game ends
   int shootout_robots = 2;  ///< of each team on the field
 
   // Penalty kicks.

@@ -48,6 +48,7 @@ RuleSet ssl_2015() {
   rules.extra_timeout_time = 5min;      // appendix A
   rules.shootout_break = 0s;            // appendix A allows up to 2 min
   rules.shootout_kicks = 5;             // appendix A
+  rules.shootout_limit = 20;            // ours: appendix A knows no limit
   rules.shootout_robots = 2;            // appendix A
   rules.penalty_line = 0.4;             // Law 14
   rules.penalty_time = 10s;             // ours: Law 14 leaves the decision to the referee

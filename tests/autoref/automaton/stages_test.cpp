@@ -107,5 +107,18 @@ TEST(Shootout, IsDecidedWhenNobodyCanCatchUp) {
   }
 }
 
+TEST(Shootout, EndsWithoutAWinnerAfterTwentyKicksEach) {
+  world::GameState state;
+  for (int kicks = 5; kicks < 20; ++kicks) {
+    state.shootout_kicks = {kicks, kicks};
+    EXPECT_FALSE(shootout_is_over(world::rule_set("ssl-2015"), state)) << kicks;
+    state.shootout_kicks = {kicks + 1, kicks};
+    EXPECT_FALSE(shootout_is_over(world::rule_set("ssl-2015"), state)) << kicks;
+  }
+  state.shootout_kicks = {20, 20};
+  EXPECT_TRUE(shootout_is_over(world::rule_set("ssl-2015"), state));
+  EXPECT_FALSE(shootout_is_decided(world::rule_set("ssl-2015"), state));
+}
+
 }  // namespace
 }  // namespace automaton
