@@ -31,6 +31,13 @@ AirFilter::AirFilter(const Vector2d& from, double sigma) {
       height_sigma * height_sigma, rise_sigma * rise_sigma;
 }
 
+AirFilter::AirFilter(const Vector3d& place, double sigma) : AirFilter(Vector2d(place.head<2>()), sigma) {
+  x_[4] = place.z();
+  x_[5] = 0;
+  p_(4, 4) = sigma * sigma;
+  p_(5, 5) = usual_rise * usual_rise;
+}
+
 void AirFilter::fly(double dt) {
   for (int i = 0; i < 6; i += 2) x_[i] += x_[i + 1] * dt;
   x_[4] -= g / 2 * dt * dt;

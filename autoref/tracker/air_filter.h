@@ -22,6 +22,8 @@ class AirFilter {
   /// A ball on the ground at `from`, known to `sigma` [m], that leaves it now with any velocity a kicker can
   /// give.
   AirFilter(const Vector2d& from, double sigma);
+  /// A ball in the air at `place` [m], z known to `sigma` [m], with any velocity.
+  AirFilter(const Vector3d& place, double sigma);
 
   /// Lets time pass. @pre dt >= 0 [s]
   void predict(double dt);

@@ -20,15 +20,21 @@ constexpr double disagreement = 0.1;  // [m] between badly calibrated cameras (f
 constexpr double rival_speed = 2.0;   // [m/s] distance over this is how long a rival must wait; ours
 constexpr world::Duration rival_least = 50ms;  // three frames
 constexpr world::Duration rival_most = 1s;
+constexpr world::Duration one_frame = 17ms;
 constexpr world::Duration two_frames = 34ms;
+constexpr double most_height = 2.0;              // [m] of a chipped ball: 1.8 m for 6 m/s straight up
 constexpr world::Duration before_seen = 4ms;     // a kick shows little so soon after it; ours
 constexpr world::Duration out_of_hiding = 50ms;  // a kicked ball comes into view within this; ours
 constexpr double kick_place_sigma = 0.010;       // [m] ours
 constexpr double hidden_kick_sigma = 0.025;      // [m] ours
-constexpr double landing_sigma = 0.5;            // [m/s] ours
-constexpr double hidden_sigma = 0.010;           // [m] at least, of a hidden ball (football.md 3.2)
-constexpr double robot_height = 0.15;            // [m] laws of 2015
-constexpr double pressed = 0.005;                // [m] a ball this deep in a hull has met it; ours
+constexpr int kicked_away = 3;         // sightings after which a kicked ball has left the dribbler; ours
+constexpr double landing_sigma = 0.5;  // [m/s] ours
+constexpr double beside_sigma =
+    0.004;  // [m] a ball beside a robot may be partly hidden; ours, from the errors
+constexpr double hidden_drift = 0.06;   // [m/s] a hidden ball may be moved about; ours, from the errors
+constexpr double hidden_sigma = 0.010;  // [m] at least, of a hidden ball (football.md 3.2)
+constexpr double robot_height = 0.15;   // [m] laws of 2015
+constexpr double pressed = 0.005;       // [m] a ball this deep in a hull has met it; ours
 
 double hull_gap(const world::Field& field, const world::TrackedRobot& robot, const world::Segment& path) {
   return world::distance(path, robot.position) - field.robot_radius - field.ball_radius;
@@ -104,7 +110,7 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   double dt = world::seconds(time - seen_);
   if (hidden) {
     ahead.start(hidden->position, hidden->velocity, start_sigma);
-    dt = std::min(dt, world::tick_length);
+    dt = std::min(dt, world::seconds(two_frames));
   }
   const Vector2d from = ahead.position();
   const world::Segment path{from, from + ahead.velocity() * dt};
@@ -131,6 +137,12 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   const bool agrees = expected_by_some && nearest_distance < CameraPreference::agreement;
   if (!flies && nearest_distance < disagreement) {
     match_ = Match{measured, ahead.velocity(), ahead.velocity_variance()};
+  }
+  if (!study_ && !agrees && eye) {
+    if (const auto place = lifted(measured, time, *eye)) {
+      study_.emplace(geometry_, *place, time, params_.ball_sigma);
+      return true;
+    }
   }
   if (!agrees && nearest_distance < disagreement && camera_.distrusts(camera, time)) {
     if (explained) study(measured, time, eye, near_robot);
@@ -177,8 +189,12 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   filter_ = ahead;
   seen_ = time;
   camera_.used(camera, time);
+  measured_ = measured;
+  measured_by_ = camera;
+  beside_robot_ = near_robot;
   study(measured, time, eye, near_robot);
   remember_hold(robots);
+  if (study_ && hold_ && study_->sightings() >= kicked_away) study_.reset();
   return true;
 }
 
@@ -188,6 +204,27 @@ std::optional<BallFilter::Motion> BallTrack::concealed(world::Time now,
   if (hold_) return held(robots);
   if (!hidden_) return std::nullopt;
   return filter_.foretell(world::seconds(now - seen_));
+}
+
+// Two cameras show one ball so far apart, and so much in the direction of height, that it cannot have rolled:
+// p + z a = g for both, with a = (g - c) / H of each camera (air_filter.h).
+std::optional<Vector3d> BallTrack::lifted(const Vector2d& seen, world::Time time,
+                                          const world::Camera& camera) const {
+  const world::Camera* const other = camera_of(measured_by_);
+  if (!other || other == &camera || time - seen_ > one_frame) return std::nullopt;
+  const auto slant = [](const Vector2d& place, const world::Camera& c) -> Vector2d {
+    return (place - c.position.head<2>()) / c.position.z();
+  };
+  const Vector2d apart = seen - measured_;
+  const Vector2d per_height = slant(seen, camera) - slant(measured_, *other);
+  const double height = apart.dot(per_height) / per_height.squaredNorm();
+  const double reach = params_.max_ball_speed * world::seconds(time - seen_) + least_gate;
+  const double beside = (apart - height * per_height).norm();
+  if (!(height > 0) || height > most_height || apart.norm() < reach || beside > apart.norm() / 3) {
+    return std::nullopt;
+  }
+  const Vector2d place = seen - height * slant(seen, camera);
+  return Vector3d(place.x(), place.y(), height);
 }
 
 void BallTrack::study(const Vector2d& measured, world::Time time, const world::Camera* camera,
@@ -329,7 +366,9 @@ world::TrackedBall BallTrack::foretell(world::Time time, std::span<const world::
   const BallFilter::Motion state = carried ? *carried : filter_.foretell(world::seconds(ball.unseen));
   ball.position.head<2>() = state.position;
   ball.velocity.head<2>() = state.velocity;
-  ball.sigma = carried || hidden_ ? std::max(hidden_sigma, state.sigma) : state.sigma;
+  const double unsure = carried || hidden_ ? hidden_sigma + hidden_drift * world::seconds(ball.unseen)
+                                           : (beside_robot_ ? beside_sigma : 0);
+  ball.sigma = std::hypot(state.sigma, unsure);
   return ball;
 }
 

@@ -66,6 +66,7 @@ class BallTrack {
   void hide(world::Time now, std::span<const world::TrackedRobot> robots);
   const world::TrackedRobot* hider(const Vector2d& ball, std::span<const world::TrackedRobot> robots) const;
   const world::Camera* camera_of(int id) const;
+  std::optional<Vector3d> lifted(const Vector2d& seen, world::Time time, const world::Camera& camera) const;
   void study(const Vector2d& measured, world::Time time, const world::Camera* camera, bool near_robot);
   bool could_be_struck(const Vector2d& from, const Vector2d& to,
                        std::span<const world::TrackedRobot> robots) const;
@@ -82,6 +83,9 @@ class BallTrack {
   std::optional<Hold> hidden_;  // where it was, seen from the robot that hid it in the last frame
   std::optional<KickStudy> study_;
   std::optional<Match> match_;
+  Vector2d measured_ = Vector2d::Zero();  // [m] the last sighting that was used
+  int measured_by_ = -1;                  // its camera
+  bool beside_robot_ = false;             // and whether a robot may have hidden a part of it
   std::vector<Candidate> candidates_;
 };
 

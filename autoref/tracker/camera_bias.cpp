@@ -18,6 +18,7 @@ CameraBias::CameraBias(const Params& params)
     : prior_(variance_of(params.bias_sigma)),
       drift_(variance_of(params.bias_drift)),
       local_(variance_of(params.local_sigma)),
+      alone_(prior_),
       largest_(params.largest_bias),
       on_(params.bias_sigma > 0) {
   offsets_.reserve(most);
@@ -26,6 +27,7 @@ CameraBias::CameraBias(const Params& params)
 void CameraBias::reset() {
   offsets_.clear();
   covariance_.fill(0);
+  alone_ = prior_;
 }
 
 const CameraBias::Offset* CameraBias::find(int camera) const {
@@ -40,7 +42,7 @@ std::size_t CameraBias::index_of(int camera) {
   const auto index = static_cast<std::size_t>(found - offsets_.begin());
   if (found != offsets_.end() || index == most) return index;
   offsets_.push_back({.camera = camera});
-  cov(index, index) = prior_;
+  cov(index, index) = alone_;  // as uncertain as the others were: the mean stays zero
   return index;
 }
 
@@ -54,6 +56,7 @@ void CameraBias::compare(int camera, int other, const Vector2d& difference, doub
 
   const double pause = std::clamp(world::seconds(time - last_), 0.0, longest_pause);
   last_ = time;
+  alone_ += drift_ * pause;
   for (std::size_t i = 0; i < n; ++i) cov(i, i) += drift_ * pause;
 
   std::array<double, most> with{};  // covariance of each offset with the difference

@@ -53,6 +53,7 @@ class CameraBias {
   double& cov(std::size_t i, std::size_t j) { return covariance_[i * most + j]; }
 
   double prior_, drift_, local_;  // [m^2], [m^2/s], [m^2]
+  double alone_;                  // [m^2] variance of a camera that was never compared
   double largest_;                // [m]
   bool on_;
   std::vector<Offset> offsets_;

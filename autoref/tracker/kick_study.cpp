@@ -1,6 +1,7 @@
 #include "autoref/tracker/kick_study.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -17,12 +18,15 @@ constexpr double speed_sigma = 4.0;                                // [m/s] per 
 constexpr double ground_noise = 0.15 * 0.15 * world::tick_length;  // [m^2/s^3] as a rolling ball's
 constexpr double jostle_noise = 12.0 * 12.0 * world::tick_length;  // as of BallFilter's erratic ball
 constexpr double noise_factor = 3;  // nominal noise here over the camera's: calibration is not perfect; ours
+constexpr double height_sigma = 0.03;   // [m] of a place in space between two cameras' rays; ours
 constexpr double hidden_sigma = 0.005;  // [m] the visible part of a ball is up to so far beside its middle
 constexpr double prior_weight = 8;      // numbers that the nominal noise counts as; ours
 constexpr double chip_prior = 0.2;      // one kick in five; ours
 constexpr double jostle_prior = 0.2;    // and one is disturbed: two robots at the ball, a dribbler; ours
 constexpr double flattest = 0.4;        // of the horizontal speed over the rise: chips up to 68 degrees; ours
 constexpr double least_speed = 0.7;     // [m/s] slower is no kick worth studying; ours
+constexpr double fastest = 8.5;         // [m/s] in the air: chip kickers reach 8 (football.md 5)
+constexpr double least_height = 0.01;   // [m] lower a ball rolls (football.md 3.3)
 constexpr int quick_look = 3;           // sightings after which slow balls are left alone
 constexpr double least_rise = 1.0;  // [m/s] a kick that rises slower (5 cm) is not told from a flat one; ours
 constexpr double hopeless = 12;     // log of the evidence that a hypothesis may lack; ours
@@ -44,32 +48,47 @@ double log_mean_exp(std::span<const double> logs, std::size_t count) {
 
 }  // namespace
 
-KickStudy::KickStudy(const world::Geometry& geometry, const KickPoint& kick, double ball_sigma)
+KickStudy::KickStudy(const world::Geometry& geometry, double ball_sigma, world::Time time,
+                     const Vector2d& from)
     : slide_(std::max(0.0, geometry.ball_slide_deceleration)),
       roll_(std::max(0.0, geometry.ball_roll_deceleration)),
       r_(noise_factor * ball_sigma * noise_factor * ball_sigma),
-      airborne_(0),
-      last_(kick.earliest) {
+      last_(time) {
+  flight_.kicked = time;
+  flight_.from = from;
+}
+
+KickStudy::KickStudy(const world::Geometry& geometry, const KickPoint& kick, double ball_sigma)
+    : KickStudy(geometry, ball_sigma, kick.earliest, kick.place) {
   air_.reserve(instants);
   ground_.reserve(instants + 1);
-  const auto lies = [&](world::Time kicked, const Vector2d& place, double noise, std::size_t courses) {
-    OnGround& ground = ground_.emplace_back();
-    ground.kicked = kicked;
-    ground.noise = noise;
-    ground.pp = kick.sigma * kick.sigma;
-    ground.vv = speed_sigma * speed_sigma;
-    ground.courses.resize(courses);
-    for (Course& course : ground.courses) course.position = place;
-  };
   for (int n = 0; n < instants; ++n) {
     const auto kicked = kick.earliest + (kick.latest - kick.earliest) * n / instants;
     const Vector2d place = kick.place + kick.carried * world::seconds(kicked - kick.earliest);
     air_.push_back({kicked, AirFilter(place, kick.sigma), {}});
-    lies(kicked, place, ground_noise, slide_times.size());
+    add_ground(kicked, place, kick.sigma, ground_noise, slide_times.size());
   }
-  lies(kick.earliest, kick.place, jostle_noise, 1);
-  flight_.kicked = kick.earliest;
-  flight_.from = kick.place;
+  add_ground(kick.earliest, kick.place, kick.sigma, jostle_noise, 1);
+}
+
+KickStudy::KickStudy(const world::Geometry& geometry, const Vector3d& place, world::Time time,
+                     double ball_sigma)
+    : KickStudy(geometry, ball_sigma, time, place.head<2>()) {
+  from_ground_ = false;
+  air_.push_back({time, AirFilter(place, height_sigma), {}});
+  add_ground(time, place.head<2>(), place.z(), ground_noise, 1);
+  add_ground(time, place.head<2>(), place.z(), jostle_noise, 1);
+}
+
+void KickStudy::add_ground(world::Time kicked, const Vector2d& place, double sigma, double noise,
+                           std::size_t courses) {
+  OnGround& ground = ground_.emplace_back();
+  ground.kicked = kicked;
+  ground.noise = noise;
+  ground.pp = sigma * sigma;
+  ground.vv = speed_sigma * speed_sigma;
+  ground.courses.resize(courses);
+  for (Course& course : ground.courses) course.position = place;
 }
 
 void KickStudy::step(OnGround& ground, double from, double to) const {
@@ -158,7 +177,7 @@ void KickStudy::judge() {
 
   std::erase_if(air_,
                 [&, best = in_air[0]](const InAir& air) { return evidence(air.score) < best - hopeless; });
-  if (sightings_ == quick_look && is_slow()) over_ = true;
+  if (from_ground_ && sightings_ == quick_look && is_slow()) over_ = true;
   if (sightings_ < least_sightings) return;
   if (airborne_ < settled_flat) over_ = true;
   if (airborne_ > settled_air) ground_.clear();
@@ -168,6 +187,8 @@ void KickStudy::judge() {
 // A chip fits well, rises enough to be told from a flat kick, and not nearly straight up.
 bool KickStudy::is_possible(const InAir& air) const {
   if (air.score.sum > worst_fit * 2 * sightings_) return false;
+  if (air.filter.velocity().norm() > fastest) return false;
+  if (!from_ground_) return air.filter.position().z() > least_height || air.filter.bounces() > 0;
   if (air.filter.bounces() > 0) return true;
   const double rise = air.filter.velocity().z() + 9.81 * world::seconds(last_ - air.kicked);
   return rise > least_rise && air.filter.velocity().head<2>().norm() > flattest * rise;
@@ -191,6 +212,11 @@ bool KickStudy::explains(const Vector2d& seen, world::Time time, const Vector3d&
 
 void KickStudy::remember_launch() {
   const InAir& air = air_.front();
+  if (!from_ground_) {  // its kick was not seen: what is known begins here
+    if (sightings_ == 1) flight_.launch_velocity = air.filter.velocity();
+    highest_seen_ = std::max(highest_seen_, air.filter.position().z());
+    return;
+  }
   if (air.filter.bounces() > 0) return;
   const double since = world::seconds(last_ - air.kicked);
   const Vector3d velocity = air.filter.velocity();
@@ -208,6 +234,10 @@ AirFilter KickStudy::filter_at(world::Time time) const {
 world::Flight KickStudy::flight_at(world::Time time) const {
   // On its way up it is as high as it is; later it was as high as its rise at the kick took it.
   world::Flight flight = flight_;
+  if (!from_ground_) {
+    flight.highest = highest_seen_;
+    return flight;
+  }
   const double rise = std::max(0.0, flight.launch_velocity.z());
   const double up = std::min(rise / 9.81, std::max(0.0, world::seconds(time - flight.kicked)));
   flight.highest = up * (rise - 9.81 / 2 * up);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "autoref/tracker/air_filter.h"
@@ -32,6 +32,9 @@ class KickStudy {
   /// @param geometry  decelerations and cameras
   KickStudy(const world::Geometry& geometry, const KickPoint& kick, double ball_sigma);
 
+  /// The same for a ball that two cameras show at such places that it must be in the air at `place` [m].
+  KickStudy(const world::Geometry& geometry, const Vector3d& place, world::Time time, double ball_sigma);
+
   /// Takes in a sighting. @param camera [m]  @pre later than the kick and than the last one
   /// @param partly_hidden  a robot may hide a part of it, which moves the middle of what is seen
   void see(const Vector2d& seen, world::Time time, const Vector3d& camera, bool partly_hidden);
@@ -39,6 +42,7 @@ class KickStudy {
   /// True when some hypothesis expects this sighting.
   bool explains(const Vector2d& seen, world::Time time, const Vector3d& camera) const;
 
+  int sightings() const { return sightings_; }
   double airborne() const { return airborne_; }  ///< probability of flight at the last sighting
   bool over() const { return over_; }            ///< on the ground, or nothing explains the sightings
   bool landed() const { return air_.front().filter.rolls(); }
@@ -49,6 +53,9 @@ class KickStudy {
 
  private:
   static constexpr int instants = 5;
+
+  KickStudy(const world::Geometry& geometry, double ball_sigma, world::Time time, const Vector2d& from);
+  void add_ground(world::Time kicked, const Vector2d& place, double sigma, double noise, std::size_t courses);
 
   struct Score {
     double sum = 0;      // of normalised squares
@@ -78,6 +85,7 @@ class KickStudy {
   bool is_slow() const;
   void remember_launch();
 
+  bool from_ground_ = true;       // begun by a kick
   double slide_, roll_;           // [m/s^2]
   double r_;                      // [m^2]
   std::vector<InAir> air_;        // the best first
@@ -87,6 +95,7 @@ class KickStudy {
   double airborne_ = 0;
   bool over_ = false;
   world::Flight flight_;
+  double highest_seen_ = 0;  // [m] of a ball whose kick was not
   world::Time last_;
 };
 

@@ -5,6 +5,8 @@
 namespace tracker {
 namespace {
 
+constexpr double acceleration = 3.0;  // [m/s^2] world::RobotSpecs
+constexpr double brake = 6.0;         // [m/s^2] world::RobotSpecs
 constexpr double turn_per_speed = 7;  // [rad/m] a robot's 20 rad/s against its 3 m/s (world::RobotSpecs)
 
 }  // namespace
@@ -30,6 +32,17 @@ void RobotFilter::predict(double dt) {
   y_.predict(dt, q_);
   heading_.predict(dt, q_turn_);
   heading_.x = world::wrap_angle(heading_.x);
+}
+
+void RobotFilter::drive(const Vector2d& wanted, double dt) {
+  const Vector2d missing = wanted - velocity();
+  const double limit = (missing.dot(velocity()) < 0 ? brake : acceleration) * dt;
+  const double size = missing.norm();
+  const Vector2d change = size <= limit ? missing : Vector2d(missing * (limit / size));
+  x_.v += change.x();
+  y_.v += change.y();
+  x_.x += change.x() * (dt / 2);
+  y_.x += change.y() * (dt / 2);
 }
 
 double RobotFilter::nis(const Vector2d& measured) const {

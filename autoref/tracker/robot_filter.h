@@ -49,6 +49,9 @@ class RobotFilter {
              double speed_sigma);
 
   void predict(double dt);
+  /// Tells where its velocity is heading [m/s]: it changes as fast as a robot can, within `dt` [s] that was
+  /// just predicted.
+  void drive(const Vector2d& wanted, double dt);
   /// Normalised innovation squared of a position (chi-square, 2 degrees of freedom).
   double nis(const Vector2d& measured) const;
   /// The same of a heading (1 degree of freedom).

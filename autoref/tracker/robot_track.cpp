@@ -44,7 +44,9 @@ bool RobotTrack::follow(const Vector2d& position, std::optional<double> heading,
                         int camera) {
   if (time < seen_) return true;  // older than what is known: nothing to learn
   RobotFilter ahead = filter_;
-  ahead.predict(world::seconds(time - seen_));
+  const double dt = world::seconds(time - seen_);
+  ahead.predict(dt);
+  if (commanded_) ahead.drive(*commanded_, dt);
   const bool expected = ahead.nis(position) < params_.nis_gate;
   const double off = (position - ahead.position()).norm();
   if (!expected && off > params_.robot_gate) return false;

@@ -21,6 +21,9 @@ class RobotTrack {
   /// @param heading [rad]; nothing when the camera could not tell
   void see(const Vector2d& position, std::optional<double> heading, world::Time time, int camera);
 
+  /// What the robot was told to do, in the field frame [m/s]; nothing when that is not known.
+  void command(std::optional<Vector2d> velocity) { commanded_ = velocity; }
+
   bool known() const { return known_; }
   Vector2d velocity() const { return filter_.velocity(); }                  ///< [m/s] when last seen
   double velocity_variance() const { return filter_.velocity_variance(); }  ///< [m^2/s^2] per axis
@@ -40,6 +43,7 @@ class RobotTrack {
   Params params_;
   world::RobotId id_;
   RobotFilter filter_;
+  std::optional<Vector2d> commanded_;  // [m/s]
   bool known_ = false;
   world::Time seen_;
   CameraPreference camera_;

@@ -106,7 +106,16 @@ bool Tracker::repeats(const world::Detection& detection) {
   return false;
 }
 
-const world::TrackedFrame* Tracker::update(std::span<const world::Detection> detections) {
+const world::TrackedFrame* Tracker::update(std::span<const world::Detection> detections,
+                                           std::span<const CommandedVelocity> commands) {
+  if (!commands.empty() || commanded_) {
+    for (RobotTrack& robot : robots_) robot.command(std::nullopt);
+    for (const CommandedVelocity& command : commands) {
+      if (command.id.number > world::max_robot_number || !command.velocity.allFinite()) continue;
+      robots_[index_of(command.id.team, command.id.number)].command(command.velocity);
+    }
+    commanded_ = !commands.empty();
+  }
   choose(detections);
   if (images_.empty()) return nullptr;
   const world::Time newest = images_.back()->t_capture;

@@ -13,6 +13,12 @@
 
 namespace tracker {
 
+/// The velocity a robot was told to drive at, by whoever knows: it helps while the robot changes its speed.
+struct CommandedVelocity {
+  world::RobotId id;
+  Vector2d velocity = Vector2d::Zero();  ///< [m/s] field frame; of the command that moves it now
+};
+
 /// One belief about ball and robots from all cameras: detections in, a tracked frame out.
 ///
 /// Every camera image is a measurement at its own capture time, taken in order of time; overlapping cameras
@@ -27,9 +33,11 @@ class Tracker {
   explicit Tracker(world::Geometry geometry, Params params = {});
 
   /// Takes in all images of one tick, in any order.
+  /// @param commands  of the robots whose commands are known; not needed
   /// @return the frame for the newest capture time; null when nothing in it is newer than the last frame.
   ///         Valid until the next call.
-  const world::TrackedFrame* update(std::span<const world::Detection> detections);
+  const world::TrackedFrame* update(std::span<const world::Detection> detections,
+                                    std::span<const CommandedVelocity> commands = {});
 
   /// The last frame; empty before the first.
   const world::TrackedFrame& frame() const { return frame_; }
@@ -75,6 +83,7 @@ class Tracker {
   std::optional<Sighting> ball_sighting_;
   world::TrackedFrame frame_;
   bool started_ = false;
+  bool commanded_ = false;         // some track has a command
   int batches_from_the_past_ = 0;  // in a row
   int restarts_ = 0;
   std::vector<CameraClock> cameras_;

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <numbers>
+#include <span>
 
 #include "tests/autoref/tracker/running.h"
 
@@ -187,6 +190,94 @@ TEST(Tracker, MisreadHeadingIsIgnoredUntilItPersists) {
   EXPECT_NEAR(tracker.frame().robots.at(0).orientation, 0.5, 0.02);
   run(tracker, cameras, 32, 36, standing(std::nullopt, {{yellow_3, {2, 1}, -2.6}}));
   EXPECT_NEAR(tracker.frame().robots.at(0).orientation, -2.6, 0.02);
+}
+
+/// Four cameras as in a game, so that the tracker knows who hides what.
+world::Geometry with_cameras() {
+  world::Geometry geometry;
+  geometry.cameras = world::quarter_cameras(geometry.field);
+  return geometry;
+}
+
+TEST(Tracker, BallHiddenBehindARobotStaysThereAndGoesAlongWithIt) {
+  // The camera at (-2.25, -1.5) sees a robot at (-1, -1); the ball lies behind it and is not reported. After
+  // a second the robot drives on along y; the ball's place would come into view, so the robot has the ball.
+  const Vector2d away = Vector2d(1.25, 0.5).normalized();
+  const Vector2d robot(-1, -1);
+  const Vector2d ball = robot + 0.115 * away;
+  Tracker tracker{with_cameras()};
+  Cameras cameras;
+  run(tracker, cameras, 1, 30, standing(ball, {{yellow_3, robot + Vector2d(0, 1), 3}}));
+  run(tracker, cameras, 31, 90, standing(std::nullopt, {{yellow_3, robot, 3}}));
+  ASSERT_TRUE(tracker.frame().ball);
+  EXPECT_LT((tracker.frame().ball->position.head<2>() - ball).norm(), 0.002);
+  EXPECT_GE(tracker.frame().ball->sigma, 0.010);
+  const auto driving = [&](double t) { return Vector2d(robot + Vector2d(0, 0.8 * (t - 1.5))); };
+  run(tracker, cameras, 91, 120, [&](double t) { return Scene{std::nullopt, {{yellow_3, driving(t), 3}}}; });
+  const double t = world::seconds(tracker.frame().time);
+  const Vector2d from_robot = tracker.frame().ball->position.head<2>() - driving(t);
+  EXPECT_LT(from_robot.norm(), 0.14);  // hull and ball are 0.1115; it was hidden up to 25 mm beside that
+  EXPECT_NEAR(tracker.frame().ball->velocity.y(), 0.8, 0.1);
+}
+
+TEST(Tracker, UnseenBallDoesNotRollThroughARobot) {
+  Tracker tracker{with_cameras()};
+  Cameras cameras;
+  const GroundBall ball{{-3, 1.5}, {1.5, 0}, false};
+  const std::vector<Scene::Robot> robots = {{yellow_3, {-1.5, 1.5}, 0}};
+  run(tracker, cameras, 1, 40, [&](double t) { return Scene{ball.position(t), robots}; });
+  run(tracker, cameras, 41, 90, [&](double) { return Scene{std::nullopt, robots}; });
+  ASSERT_TRUE(tracker.frame().ball);
+  // It would be at -0.9 m; it is at the hull's near side, 0.1115 m from the robot's centre.
+  EXPECT_NEAR(tracker.frame().ball->position.x(), -1.5 - 0.1115, 0.01);
+}
+
+TEST(Tracker, SigmaGrowsWhileTheBallIsUnseen) {
+  Tracker tracker{world::Geometry{}};
+  Cameras cameras;
+  const GroundBall ball{{-1, 1}, {1, 0}, false};
+  run(tracker, cameras, 1, 60, [&](double t) { return Scene{ball.position(t), {}}; });
+  EXPECT_GT(tracker.frame().ball->sigma, 0.0001);
+  EXPECT_LT(tracker.frame().ball->sigma, 0.001);  // better than two sightings of 0.5 mm
+  double last = 0;
+  run(tracker, cameras, 61, 100, standing(std::nullopt), [&](std::int64_t, const world::TrackedFrame& frame) {
+    EXPECT_GT(frame.ball->sigma, last);
+    last = frame.ball->sigma;
+  });
+}
+
+TEST(Tracker, CommandsHelpWhileARobotChangesItsSpeed) {
+  // 0 to 2 m/s at 3 m/s^2, then brakes by 6 m/s^2; the command jumps, the robot follows.
+  const auto speed = [](double t) {
+    return t < 1 ? std::clamp(3 * (t - 0.3), 0.0, 2.0) : std::max(0.0, 2 - 6 * (t - 1));
+  };
+  const auto place = [](double t) {
+    const double up = std::clamp(t - 0.3, 0.0, 2.0 / 3);
+    const double on = std::clamp(t - 0.3 - 2.0 / 3, 0.0, 0.7 - 2.0 / 3);
+    const double down = std::clamp(t - 1.0, 0.0, 1.0 / 3);
+    return -1 + 1.5 * up * up + 2 * on + 2 * down - 3 * down * down;
+  };
+  const auto worst = [&](bool told) {
+    Tracker tracker{world::Geometry{}};
+    Cameras cameras;
+    double sum = 0;
+    for (std::int64_t tick = 1; tick <= 80; ++tick) {
+      const auto images = cameras.images(tick, [&](double t) {
+        return Scene{std::nullopt, {{yellow_3, {place(t), 1}, 0}}};
+      });
+      const double t = world::seconds(world::tick_time(tick));
+      const CommandedVelocity command{yellow_3, {t > 0.3 && t < 1 ? 2.0 : 0.0, 0}};
+      const auto* frame =
+          tracker.update(images, told ? std::span(&command, 1) : std::span<const CommandedVelocity>());
+      if (tick > 10) sum += (frame->robots.at(0).velocity - Vector2d(speed(t), 0)).squaredNorm();
+    }
+    return std::sqrt(sum / 70);
+  };
+  const double alone = worst(false), told = worst(true);
+  std::cout << "robot speeding up and braking: velocity rms " << alone << " m/s, with commands " << told
+            << "\n";
+  EXPECT_LT(told, 0.8 * alone);
+  EXPECT_LT(alone, 0.12);  // not needed
 }
 
 }  // namespace
