@@ -258,6 +258,7 @@ Call explain(const Transition& transition, const world::RuleSet& rules) {
   } else {
     call.sentence = progress_text(transition, rules);
   }
+  call.sentence += card_text(transition);
   return call;
 }
 
