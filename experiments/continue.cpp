@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -27,6 +29,12 @@ int continue_game(const ContinueOptions& options) {
   config.continuation = record::Continuation{options.recording, std::nullopt};
   if (options.from) {
     config.continuation->tick = std::llround(*options.from * world::ticks_per_second);
+    const std::int64_t ticks = host::recorded_ticks(options.recording);
+    if (*config.continuation->tick > ticks) {
+      throw std::invalid_argument(fmt::format("--from {:g}: the recording {} ends at {:.1f} s", *options.from,
+                                              options.recording.string(),
+                                              static_cast<double>(ticks) * world::tick_length));
+    }
     replace_team(options.blue, "--blue", config.teams.blue);
     replace_team(options.yellow, "--yellow", config.teams.yellow);
     runner::team_files(config.teams.blue, "--blue");

@@ -32,7 +32,7 @@ report::Summary summary(const Experiment& experiment) {
   header.forfeit_goals = design.forfeit_goals;
   header.experiment = experiment.hash;
   for (const schedule::Condition& condition : design.conditions) {
-    header.conditions.push_back({condition.name, condition.a, condition.b});
+    header.conditions.push_back({condition.name, condition.a, condition.b, record::text(condition.realism)});
   }
   return report::summarise(std::move(header), experiment.attempts);
 }

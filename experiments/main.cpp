@@ -69,7 +69,7 @@ void add_continue(CLI::App& main, commands::ContinueOptions& options) {
       "continue", "play a recorded game again, to its end without teams, or on from a moment with live ones");
   app.add_option("recording", options.recording, "what `matchday play --record` wrote")->required();
   app.add_option("--from", options.from, "seconds of the match at which live teams take over")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0.0, 2400.0));
   app.add_option("--blue", options.blue, "another command for the blue team");
   app.add_option("--yellow", options.yellow, "another command for the yellow team");
   app.add_option("--log", options.log, "write the game as a league log, FILE.log or FILE.log.gz");

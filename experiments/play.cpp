@@ -29,6 +29,24 @@ record::TeamConfig team(const TeamOptions& options, const std::string& flag) {
   return team;
 }
 
+// Said before a game is played, not after it.
+void check_output(const std::string& flag, const std::optional<std::filesystem::path>& file,
+                  const std::string& ending) {
+  if (!file) return;
+  const auto reject = [&](const std::string& problem) {
+    throw std::invalid_argument(flag + " " + file->string() + ": " + problem);
+  };
+  const std::string name = file->filename().string();
+  if (std::filesystem::is_directory(*file)) reject("is a folder; give the name of a file");
+  if (!name.ends_with(ending) && !name.ends_with(ending + ".gz")) {
+    reject("must end in " + ending + " or " + ending + ".gz");
+  }
+  const std::filesystem::path folder = file->has_parent_path() ? file->parent_path() : ".";
+  if (!std::filesystem::is_directory(folder)) {
+    reject("there is no folder " + folder.string() + "; make it first");
+  }
+}
+
 }  // namespace
 
 int play(const PlayOptions& options) {
@@ -50,6 +68,8 @@ int play(const PlayOptions& options) {
 
 int tell_one_game(const record::MatchConfig& config, bool json) {
   host::check(config);
+  check_output("--log", config.log, ".log");
+  check_output("--record", config.recording, ".replies");
   if (!config.directory.empty()) std::filesystem::create_directories(config.directory);
 
   if (!json) tell_circumstances(config, std::cout);

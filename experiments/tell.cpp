@@ -35,6 +35,14 @@ void tell_circumstances(const record::MatchConfig& config, std::ostream& out) {
   out << "blue:   " << team_text(config.teams.blue) << "\n";
   out << fmt::format("blue defends the goal at {}x first, {} kicks off\n\n",
                      config.blue_on_positive_half ? "+" : "-", world::name(config.first_kickoff));
+  if (config.continuation) {
+    out << "the game recorded in " << config.continuation->recording.string();
+    if (config.continuation->tick) {
+      out << fmt::format(", from {:.3f} s on played by the teams above",
+                         static_cast<double>(*config.continuation->tick) * world::tick_length);
+    }
+    out << "\n\n";
+  }
   out << fmt::format("{:>10}  {:<10} {:<16} {}  {}\n", "time", "row", "command", "y-b", "call") << std::flush;
 }
 
@@ -50,6 +58,9 @@ void tell_result(const record::MatchConfig& config, const record::MatchRecord& r
   if (record.termination != record::Termination::Finished) {
     out << fmt::format("not finished: {}, at fault: {}; {}\n", record::name(record.termination),
                        record::name(record.at_fault), record.reason);
+    const bool a_team = record.at_fault == record::Party::Yellow || record.at_fault == record::Party::Blue ||
+                        record.at_fault == record::Party::Both;
+    if (a_team && config.directory.empty()) out << "what the team printed: --team-logs FOLDER keeps it\n";
   }
   const double simulated = static_cast<double>(record.ticks) * world::tick_length;
   out << fmt::format("{} ticks, {:.1f} s simulated in {:.1f} s, {:.0f} times real time\n", record.ticks,

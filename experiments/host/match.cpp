@@ -106,7 +106,7 @@ record::MatchRecord Match::run() {
     record.reason = "the game was interrupted";
   } catch (const RecordingEnded&) {
     record.termination = Termination::Interrupted;
-    record.reason = "the recording ends here";
+    record.reason = recorded_->cut() ? "the recording is cut off here" : "the recording ends here";
   } catch (const Overlong&) {
     record.termination = Termination::Overlong;
     record.reason =
@@ -261,7 +261,7 @@ bool Match::replay_replies() {
     throw std::runtime_error(
         config_.continuation->recording.string() + ": the game goes differently at tick " +
         std::to_string(engine_.tick()) +
-        ": it was recorded by another build of matchday, or on another kind of processor");
+        ": it was recorded by another build of matchday, on another kind of processor, or is damaged");
   }
   if (tick->has_new_yellow()) hellos_.yellow = tick->new_yellow();
   if (tick->has_new_blue()) hellos_.blue = tick->new_blue();

@@ -28,6 +28,13 @@ record::MatchConfig recorded_config(const std::filesystem::path& path) {
   }
 }
 
+std::int64_t recorded_ticks(const std::filesystem::path& path) {
+  wire::RecordingReader reader(path);
+  std::int64_t last = 0;
+  while (const wire::proto::Tick* tick = reader.next()) last = tick->tick();
+  return last;
+}
+
 Recorder::Recorder(const std::filesystem::path& path, const record::MatchConfig& config,
                    const world::PerTeam<wire::proto::TeamHello>& hellos)
     : writer_(path) {

@@ -19,6 +19,8 @@ class RecordedTeams {
   /// The replies to that tick; null when the recording ends before it.
   /// @throws std::runtime_error naming the file when the recording has another tick at this place
   const wire::proto::Tick* replies(std::int64_t tick);
+  /// After the end: the file stops in the middle of a record.
+  bool cut() const { return reader_.cut(); }
 
  private:
   std::string name_;
@@ -28,6 +30,10 @@ class RecordedTeams {
 /// The configuration of a recorded game.
 /// @throws std::runtime_error naming the file
 record::MatchConfig recorded_config(const std::filesystem::path& path);
+
+/// How many ticks the recording has; reads all of it.
+/// @throws std::runtime_error naming the file
+std::int64_t recorded_ticks(const std::filesystem::path& path);
 
 /// Writes a recording while a game is played.
 class Recorder {

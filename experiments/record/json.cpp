@@ -132,6 +132,10 @@ std::string to_json(const RealismConfig& realism) {
 }
 
 std::string text(const RealismConfig& realism) {
+  constexpr std::size_t most_told = 4;
+  if (realism.changes.size() > most_told) {
+    return realism.preset + " with " + std::to_string(realism.changes.size()) + " numbers of its own";
+  }
   std::string text = realism.preset;
   for (const auto& [key, value] : realism.changes) {
     text += (text == realism.preset ? " with " : ", ") + key + " " + number(value);

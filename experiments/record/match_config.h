@@ -27,7 +27,7 @@ struct RealismConfig {
   bool operator==(const RealismConfig&) const = default;
 };
 
-/// "measured", or "measured with vision.ball_sigma 0.001".
+/// "measured", or "measured with vision.ball_sigma 0.001"; of more than four changes only how many.
 std::string text(const RealismConfig& realism);
 
 /// A game that begins as a recorded one and goes on with live teams.

@@ -31,6 +31,7 @@ void add_side(Fields& fields, const std::string& letter, const Side& side, const
 Fields fields_of(const Row& row, const Header::Condition& condition) {
   Fields fields;
   fields.emplace_back("condition", record::quoted(row.condition));
+  fields.emplace_back("realism", record::quoted(condition.realism));
   fields.emplace_back("games", std::to_string(row.games));
   fields.emplace_back("draws", std::to_string(row.draws));
   add_side(fields, "a", row.a, condition.a);

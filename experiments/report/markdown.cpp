@@ -26,7 +26,10 @@ std::string table(const Header& header, const std::vector<Row>& rows) {
     const Row& row = rows[i];
     text +=
         fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} / {} | {} | {} |\n",
-                    cell(row.condition), cell(described('A', header.conditions[i].a).substr(2)),
+                    cell(header.conditions[i].realism == header.realism
+                             ? row.condition
+                             : row.condition + ", realism " + header.conditions[i].realism),
+                    cell(described('A', header.conditions[i].a).substr(2)),
                     cell(described('B', header.conditions[i].b).substr(2)), row.games, row.a.wins, row.draws,
                     row.b.wins, percent(row.a, row.games), percent(row.b, row.games), plus_minus(row.a.goals),
                     plus_minus(row.b.goals), signed_plus_minus(row.difference), one_decimal(row.a.fouls),

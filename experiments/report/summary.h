@@ -18,12 +18,13 @@ struct Header {
     std::string name;
     record::TeamConfig a;
     record::TeamConfig b;
+    std::string realism;
   };
   std::string design;
   std::string description;
   std::string rules;
   std::optional<double> half_length;  ///< [s] when the design changes it
-  std::string realism;
+  std::string realism;                ///< of the design; a condition may have another
   std::uint64_t seed = 0;
   int pairs = 0;  ///< per condition
   int forfeit_goals = 3;

@@ -26,7 +26,9 @@ std::string table(const Header& header, const std::vector<Row>& rows) {
                   "wins", "draws", "lost", "win % [95 %]", "goals a game", "fouls");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Row& row = rows[i];
-    text += "\n" + row.condition + ": " + row.verdict() + "\n";
+    const std::string& realism = header.conditions[i].realism;
+    const std::string other_realism = realism == header.realism ? "" : " (realism " + realism + ")";
+    text += "\n" + row.condition + other_realism + ": " + row.verdict() + "\n";
     text += side_line(described('A', header.conditions[i].a), row, row.a, row.b);
     text += side_line(described('B', header.conditions[i].b), row, row.b, row.a);
     text += fmt::format("  A - B {} goals a game over {} pair{}, {} stoppages a game\n",

@@ -28,7 +28,7 @@ constexpr double pi = 3.14159265358979;
 
 constexpr std::array keys = {
     WHOLE("vision.cameras", "", 1, 8, vision.cameras,
-          "cameras over equal parts of the field: 1, 2, 4, 6 or 8"),
+          "cameras over equal parts of the field, an even number or one"),
     REAL("vision.camera_height", "m", 1, 20, vision.camera_height, "height of the cameras"),
     REAL("vision.overlap", "m", 0, 5, vision.overlap,
          "how far a camera sees beyond the middle line to its neighbour"),

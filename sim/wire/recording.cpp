@@ -45,7 +45,13 @@ struct RecordingReader::File {
 RecordingReader::RecordingReader(const std::filesystem::path& path) : file_(std::make_unique<File>()) {
   file_->name = path.string();
   file_->source = open_source(path);
-  if (!read_record() || !file_->record.has_start()) {
+  bool is_recording = false;
+  try {
+    is_recording = read_record() && file_->record.has_start();
+  } catch (const std::runtime_error&) {
+    // Another kind of file does not even look like records.
+  }
+  if (!is_recording) {
     throw std::runtime_error(file_->name +
                              ": not a recording of a game (as `matchday play --record` writes it)");
   }
@@ -65,6 +71,8 @@ const proto::Tick* RecordingReader::next() {
   if (!file_->record.has_tick()) file_->fail("is not a tick: the file is damaged");
   return &file_->record.tick();
 }
+
+bool RecordingReader::cut() const { return file_->frames.pending() > 0 || file_->source->cut(); }
 
 bool RecordingReader::read_record() {
   File& file = *file_;
@@ -87,7 +95,6 @@ bool RecordingReader::read_record() {
       file.frames.append(std::as_bytes(std::span(file.buffer.data(), size)));
     }
   } catch (const FrameError& error) {
-    // The first record of another kind of file usually ends here.
     file.fail(std::string("cannot be read: ") + error.what());
   }
 }

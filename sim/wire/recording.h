@@ -43,6 +43,8 @@ class RecordingReader {
   /// The next tick, valid until the next call; null at the end, also of a file that was cut off in a record.
   /// @throws std::runtime_error naming file and place when what follows is not a tick
   const proto::Tick* next();
+  /// After the end: the file stops in the middle of a record.
+  bool cut() const;
 
  private:
   struct File;
