@@ -84,7 +84,7 @@ std::span<const Sighting> Watcher::update(std::span<const world::Detection> dete
   }
   last_frame_ = frame_.time;
   frame_.touches.clear();
-  touches_.update(frame_, frame_.touches);
+  touches_.update(frame_, detections, frame_.touches);
 
   state_.time = frame_.time;
   if (state_.location == Location::Setup && !state_.kick_position && frame_.ball) {

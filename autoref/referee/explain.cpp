@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "autoref/referee/explain_special.h"
@@ -61,13 +62,19 @@ std::string restart_text(const Transition& transition) {
   return kick + " for " + world::name(after.kick_team);
 }
 
+constexpr double sure_touch = 0.9;  // below, the sentence names the next most likely robot, too; ours
+
 std::string last_touch_text(const std::optional<world::Touch>& touch, world::Time when) {
   if (!touch) return "nobody was seen touching it";
   const double before = std::max(0.0, world::seconds(when - touch->time));
-  std::string who = fmt::format("last touched by {} {:.2f} s earlier", text(touch->robot), before);
-  if (touch->probability < 0.995) who += fmt::format(" (probability {:.2f})", touch->probability);
-  if (touch->rival && touch->probability < 0.8) who += fmt::format(", or else by {}", text(*touch->rival));
-  return who;
+  std::string sentence = fmt::format("last touched by {} {:.2f} s earlier", text(touch->robot), before);
+  if (touch->probability < 1)
+    sentence += fmt::format(" (probability {:.2f}", std::min(touch->probability, 0.99));
+  if (touch->probability < 1 && touch->rival && touch->probability < sure_touch) {
+    sentence += fmt::format(", else {}", text(*touch->rival));
+  }
+  if (touch->probability < 1) sentence += ")";
+  return sentence;
 }
 
 std::string goal_text(const world::PossibleGoal& goal, const std::optional<world::Touch>& touch) {

@@ -295,7 +295,7 @@ Output Referee::update(std::span<const world::Detection> detections, std::option
   if (inside_->last_tick && frame->time <= *inside_->last_tick) inside_->touches.reset();
   inside_->frame = *frame;
   inside_->frame.touches.clear();
-  inside_->touches.update(inside_->frame, inside_->frame.touches);
+  inside_->touches.update(inside_->frame, detections, inside_->frame.touches);
   return inside_->tick();
 }
 

@@ -1,5 +1,6 @@
 #include "autoref/touch/algorithms.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "sim/world/time.h"
@@ -13,6 +14,22 @@ constexpr double straight_cosine = 0.99;   // (paper, 6.5.2)
 /// `middle` is "between" the two others (paper, 6.5.2). A piece without length has no middle: false.
 bool is_between(const Vector2d& newer, const Vector2d& middle, const Vector2d& older) {
   return (middle - (newer + older) / 2).norm() < between_tolerance * (newer - older).norm();
+}
+
+bool passes_within(std::span<const Vector2d> d, double bound) {
+  for (std::size_t n = 0; n + 1 < d.size(); ++n) {
+    if (world::distance({d[n], d[n + 1]}, Vector2d::Zero()) < bound) return true;
+  }
+  return false;
+}
+
+/// The course fitted to four positions was within `inside` of the centre one or two frames before them.
+bool comes_from_within(std::span<const Vector2d> d, double inside) {
+  // Least squares over n = 0..3: the mean is at n = 1.5, the slope is sum((n - 1.5) d_n) / 5.
+  const Vector2d mean = (d[0] + d[1] + d[2] + d[3]) / 4;
+  const Vector2d slope = (-1.5 * d[0] - 0.5 * d[1] + 0.5 * d[2] + 1.5 * d[3]) / 5;
+  const auto course = [&](int n) -> Vector2d { return mean + slope * (n - 1.5); };
+  return course(4).norm() < inside || course(5).norm() < inside;
 }
 
 }  // namespace
@@ -33,16 +50,26 @@ bool line_says_touch(std::span<const Vector2d> d, double reach) {
   return meeting && meeting->norm() < reach;
 }
 
+bool line_says_touch_as_coded(std::span<const Vector2d> d, double reach) {
+  if (!line_says_touch(d, reach)) return false;
+  constexpr double inner = 0.9;  // of the way from a piece's outer end to its inner one (requirements, I-23)
+  const Vector2d meeting = *world::line_intersection({d[0], d[2]}, {d[3], d[5]});
+  const auto share = [&](const Vector2d& outer_end, const Vector2d& inner_end) {
+    const Vector2d way = inner_end - outer_end;
+    return (meeting - outer_end).dot(way) / way.squaredNorm();
+  };
+  return share(d[0], d[2]) >= inner && share(d[5], d[3]) >= inner &&
+         meeting.norm() < std::min(d[0].norm(), d[5].norm());
+}
+
 bool backtrack_says_touch(std::span<const Vector2d> d, double contact, double inside) {
   assert(d.size() >= 4);
-  for (int n = 0; n < 3; ++n) {
-    if (world::distance({d[n], d[n + 1]}, Vector2d::Zero()) < contact) return false;
-  }
-  // Least squares over n = 0..3: the mean is at n = 1.5, the slope is sum((n - 1.5) d_n) / 5.
-  const Vector2d mean = (d[0] + d[1] + d[2] + d[3]) / 4;
-  const Vector2d slope = (-1.5 * d[0] - 0.5 * d[1] + 0.5 * d[2] + 1.5 * d[3]) / 5;
-  const auto course = [&](int n) -> Vector2d { return mean + slope * (n - 1.5); };
-  return course(4).norm() < inside || course(5).norm() < inside;
+  return !passes_within(d.first(4), contact) && comes_from_within(d.first(4), inside);
+}
+
+bool backtrack_says_touch_as_coded(std::span<const Vector2d> d, double over, double inside) {
+  assert(d.size() >= 8);
+  return !passes_within(d.subspan(4, 4), over) && comes_from_within(d.first(4), inside);
 }
 
 }  // namespace touch

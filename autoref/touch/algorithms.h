@@ -21,10 +21,20 @@ double accel_measure(std::span<const Vector2d> ball);
 /// @pre at least 6 positions
 bool line_says_touch(std::span<const Vector2d> ball_from_robot, double reach);
 
+/// `line` with the tests of the authors' code besides (I-23): the pieces meet at the inner tenth of both or
+/// beyond it, and nearer to the robot than the outer ends of both are.
+/// @pre at least 6 positions
+bool line_says_touch_as_coded(std::span<const Vector2d> ball_from_robot, double reach);
+
 /// `backtrack`: the last four positions lie on a straight course which comes out of the robot.
 /// @param contact  [m] R + r: aborts when the course itself passes within it
 /// @param inside   [m] R + r - 10 mm: one or two frames earlier the course was within it
 /// @pre at least 4 positions
 bool backtrack_says_touch(std::span<const Vector2d> ball_from_robot, double contact, double inside);
+
+/// `backtrack` as in the authors' code (I-24): it aborts when the four positions before the last four pass
+/// within `over` [m], R - r; those of the fit may be in contact.
+/// @pre at least 8 positions
+bool backtrack_says_touch_as_coded(std::span<const Vector2d> ball_from_robot, double over, double inside);
 
 }  // namespace touch

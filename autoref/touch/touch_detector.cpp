@@ -15,9 +15,11 @@ constexpr double accel_margin = 0.010;      // [m] hull to ball (requirements 1.
 constexpr double line_margin = 0.030;       // [m] (paper, 6.5.2)
 constexpr double backtrack_margin = 0.010;  // [m] (paper, 6.5.2)
 constexpr int line_age = 2;                 // frames; also backtrack's (football.md 4.1)
-constexpr int accel_age = 1;                // frames: the middle one of three
-constexpr int reach_frames = 3;             // ours: README, Decisions
-constexpr double reach_speed = 0.3;         // [m/s] of the ball relative to the dribbler; ours
+constexpr world::Duration line_rest =
+    42ms;                            // 3 frames less their jitter: line is silent after it spoke (I-23)
+constexpr int accel_age = 1;         // frames: the middle one of three
+constexpr int reach_frames = 3;      // ours: README, Decisions
+constexpr double reach_speed = 0.3;  // [m/s] of the ball relative to the dribbler; ours
 constexpr double reach_least_speed =
     0.1;                         // [m/s] of the ball: one at rest tells nothing; V_b of requirements 1.10
 constexpr double front = 0.073;  // [m] centre to front plate (world::RobotSpecs)
@@ -31,16 +33,21 @@ constexpr world::Duration longest_frame = 50ms;  // three frames; longer and pos
 }  // namespace
 
 TouchDetector::TouchDetector(const world::Field& field, world::TouchAlgorithms algorithms)
-    : field_(field), algorithms_(algorithms) {}
+    : field_(field), algorithms_(algorithms), last_toucher_(field) {}
 
 void TouchDetector::reset() {
+  forget_frames();
+  last_toucher_.reset();
+}
+
+void TouchDetector::forget_frames() {
   length_ = 0;
   for (RobotHistory& history : histories_) history.length = history.carried = 0;
 }
 
 bool TouchDetector::remember(const world::TrackedFrame& frame) {
   if (!frame.ball) {
-    reset();
+    forget_frames();
     return false;
   }
   const Vector2d ball = frame.ball->position.head<2>();
@@ -48,7 +55,7 @@ bool TouchDetector::remember(const world::TrackedFrame& frame) {
     const world::Duration step = frame.time - samples_[0].time;
     const bool is_next = step > world::Duration{} && step <= longest_frame;
     const double far = max_ball_speed * world::seconds(step) + max_step;
-    if (!is_next || (ball - samples_[0].ball).norm() > far) reset();
+    if (!is_next || (ball - samples_[0].ball).norm() > far) forget_frames();
   }
   std::ranges::rotate(samples_, samples_.end() - 1);
   samples_[0] = {frame.time, ball, frame.ball->velocity.head<2>()};
@@ -75,8 +82,9 @@ void TouchDetector::remember(const world::TrackedRobot& robot, RobotHistory& his
   history.carried = carries(robot) ? history.carried + 1 : 0;
 }
 
-std::optional<int> TouchDetector::frames_since_touch(const RobotHistory& history, bool is_closest) const {
+std::optional<int> TouchDetector::frames_since_touch(RobotHistory& history, bool is_closest) const {
   const double contact = field_.robot_radius + field_.ball_radius;
+  const double over = field_.robot_radius - field_.ball_radius;
   const std::span<const Vector2d> d(history.ball_from_robot.data(), static_cast<std::size_t>(history.length));
 
   if (algorithms_.reach && history.carried >= reach_frames) return 0;
@@ -84,17 +92,29 @@ std::optional<int> TouchDetector::frames_since_touch(const RobotHistory& history
     const std::array<Vector2d, 3> ball = {samples_[0].ball, samples_[1].ball, samples_[2].ball};
     if (accel_measure(ball) > accel_threshold) return accel_age;
   }
-  if (algorithms_.line && d.size() >= 6 && line_says_touch(d, contact + line_margin)) return line_age;
-  if (algorithms_.backtrack && d.size() >= 4 &&
-      backtrack_says_touch(d, contact, contact - backtrack_margin)) {
-    return line_age;
+  const double inside = contact - backtrack_margin;
+  if (algorithms_.as_coded) {
+    const bool rested = !history.line_time || samples_[0].time - *history.line_time >= line_rest;
+    if (algorithms_.line && d.size() >= 6 && rested && line_says_touch_as_coded(d, contact + line_margin)) {
+      history.line_time = samples_[0].time;
+      return line_age;
+    }
+    if (algorithms_.backtrack && d.size() >= 8 && backtrack_says_touch_as_coded(d, over, inside))
+      return line_age;
+    return std::nullopt;
   }
+  if (algorithms_.line && d.size() >= 6 && line_says_touch(d, contact + line_margin)) return line_age;
+  if (algorithms_.backtrack && d.size() >= 4 && backtrack_says_touch(d, contact, inside)) return line_age;
   return std::nullopt;
 }
 
-void TouchDetector::update(const world::TrackedFrame& frame, std::vector<world::Touch>& out) {
+void TouchDetector::update(const world::TrackedFrame& frame, std::span<const world::Detection> images,
+                           std::vector<world::Touch>& out) {
   out.clear();
-  if (!remember(frame)) return;
+  if (algorithms_.likelihood) last_toucher_.update(frame, images, out);
+  const bool frames_vote =
+      algorithms_.accel || algorithms_.line || algorithms_.backtrack || algorithms_.reach;
+  if (!frames_vote || !remember(frame)) return;
 
   const auto distance_to_ball = [this](const world::TrackedRobot& robot) {
     return (samples_[0].ball - robot.position).norm();
@@ -102,8 +122,7 @@ void TouchDetector::update(const world::TrackedFrame& frame, std::vector<world::
   const auto closest = std::ranges::min_element(frame.robots, {}, distance_to_ball);
   for (const world::TrackedRobot& robot : frame.robots) {
     if (robot.id.number > world::max_robot_number || distance_to_ball(robot) > far_away) continue;
-    const int team_offset = robot.id.team == world::Team::Yellow ? 0 : world::max_robot_number + 1;
-    RobotHistory& history = histories_[static_cast<std::size_t>(team_offset + robot.id.number)];
+    RobotHistory& history = histories_[slot(robot.id)];
     remember(robot, history);
     if (const auto age = frames_since_touch(history, robot.id == closest->id)) {
       const Sample& then = samples_[static_cast<std::size_t>(*age)];

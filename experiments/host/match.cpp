@@ -223,6 +223,7 @@ bool Match::tick() {
 
   hash_.add(engine_.truth(), commands_, referee_->message(), output.ball_reset);
   report(tally_.add(output, *referee_));
+  if (options_.on_tick) options_.on_tick(engine_, *referee_);
   act_on_wishes(output);
   lap(Part::Bookkeeping);
 

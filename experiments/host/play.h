@@ -3,9 +3,11 @@
 #include <chrono>
 #include <functional>
 
+#include "autoref/referee/referee.h"
 #include "experiments/host/stopwatch.h"
 #include "experiments/record/match_config.h"
 #include "experiments/record/match_record.h"
+#include "sim/engine/engine.h"
 #include "sim/world/robot_id.h"
 #include "sim/world/time.h"
 
@@ -23,6 +25,8 @@ struct Options {
   std::function<bool()> interrupted;
   /// Called with every entry of the timeline as it happens, together with the score after it.
   std::function<void(const record::CallEntry&, const world::PerTeam<int>& score)> on_call;
+  /// Called in every tick after the referee has seen it, before its wishes are granted.
+  std::function<void(const engine::Engine&, const referee::Referee&)> on_tick;
   /// Called once per simulated second.
   std::function<void(world::Time, const world::PerTeam<int>& score)> on_second;
   /// Filled with the time each part of a tick took; null: nothing is measured.

@@ -9,12 +9,16 @@
 
 namespace world {
 
-/// Which of the paper's touch algorithms vote (6.5.2); a touch is reported when any of them sees one.
+/// Which touch algorithms vote (the paper's of 6.5.2, and ours); a touch is reported when any of them sees
+/// one.
 struct TouchAlgorithms {
-  bool accel = true;
-  bool line = true;
-  bool backtrack = true;
-  bool reach = true;  ///< ours: a ball carried at the dribbler, which the three above do not see
+  bool accel = false;
+  bool line = false;
+  bool backtrack = false;
+  bool reach = false;       ///< ours: a ball carried at the dribbler, which the three above do not see
+  bool likelihood = false;  ///< ours: contact against free motion, with a probability; made to vote alone
+  bool as_coded =
+      false;  ///< line and backtrack with the tests of the authors' code (requirements I-23, I-24)
 };
 
 /// Every limit, distance, time and dimension the referee uses. A rule set is a value of this type in a file
@@ -100,7 +104,7 @@ struct RuleSet {
   double run_off = 0.25;                                  ///< [m] beyond the lines, where robots may drive
   Duration run_off_time = std::chrono::seconds{2};        ///< before a robot beyond it is noted
   Duration surplus_robot_time = std::chrono::seconds{2};  ///< before a robot too many is believed
-  TouchAlgorithms touch;
+  TouchAlgorithms touch{.likelihood = true};
 };
 
 /// Whether the rule set runs the detector of that name.

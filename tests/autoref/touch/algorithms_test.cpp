@@ -128,5 +128,29 @@ TEST(Backtrack, FitIsLeastSquares) {
   EXPECT_FALSE(backtrack_says_touch(course(0.005), contact, 0.0999999));
 }
 
+TEST(LineAsCoded, WantsTheBreakBetweenThePieces) {
+  // In along -x to (0.12, 0), out along +y, as above; then the same two lines, but the ball passes their
+  // common point long before it turns: they meet at the robot and the paper's test is content.
+  const auto at_break = history(
+      6, [](int n) { return n < 3 ? Vector2d(0.12, 0.05 * (3 - n)) : Vector2d(0.12 + 0.05 * (n - 2), 0); });
+  EXPECT_TRUE(line_says_touch_as_coded(at_break, contact + 0.03));
+  const auto elsewhere =
+      history(6, [](int n) { return n < 3 ? Vector2d(0.1, 0.3 - 0.05 * n) : Vector2d(0.05 * (n - 5), 0); });
+  EXPECT_TRUE(line_says_touch(elsewhere, contact + 0.03));
+  EXPECT_FALSE(line_says_touch_as_coded(elsewhere, contact + 0.03));
+}
+
+TEST(BacktrackAsCoded, SeesTheSlowBallThatThePapersMisses) {
+  // Out of contact with 0.01 m per frame (I-24): within R + r, which only the paper's version minds.
+  const auto slow = history(8, [](int n) { return Vector2d(0.14 - 0.01 * n, 0); });
+  EXPECT_FALSE(backtrack_says_touch(slow, contact, contact - 0.01));
+  EXPECT_TRUE(backtrack_says_touch_as_coded(slow, 0.0685, contact - 0.01));
+}
+
+TEST(BacktrackAsCoded, AbortsWhenTheOlderCourseWasInsideTheRobot) {
+  const auto over = history(8, [](int n) { return Vector2d(0.20 - 0.03 * n, 0); });  // passes the centre
+  EXPECT_FALSE(backtrack_says_touch_as_coded(over, 0.0685, contact - 0.01));
+}
+
 }  // namespace
 }  // namespace touch

@@ -27,8 +27,8 @@ constexpr TouchAlgorithms only_line{false, true, false, false};
 constexpr TouchAlgorithms only_backtrack{false, false, true, false};
 constexpr TouchAlgorithms only_reach{false, false, false, true};
 constexpr TouchAlgorithms paper{true, true, true, false};
-constexpr TouchAlgorithms all{};
-constexpr TouchAlgorithms none{false, false, false, false};
+constexpr TouchAlgorithms all{true, true, true, true};
+constexpr TouchAlgorithms none{};
 
 /// How a story is told a second time: it must not matter.
 enum class Told { Plain, Mirrored, ColoursSwapped };

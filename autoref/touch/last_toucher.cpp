@@ -1,0 +1,212 @@
+#include "autoref/touch/last_toucher.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace touch {
+namespace {
+
+constexpr double likely = 0.1;  // a touch worth remembering; ours
+constexpr double sure = 0.5;    // a touch worth telling at once; ours
+constexpr double news = 0.05;   // change of a probability worth telling; ours
+
+constexpr world::Duration one_contact =
+    std::chrono::milliseconds{100};  // a longer pause ends a contact; ours
+
+bool at_front(const Vector2d& ball_local) {  // requirements 1.10: the dribbler zone is |y| < 50 mm
+  return ball_local.x() > 0 && std::abs(ball_local.y()) < 0.05;
+}
+
+}  // namespace
+
+void LastToucher::reset() {
+  views_.reset();
+  visit_.reset();
+  belief_.fill(0);
+  told_.reset();
+}
+
+void LastToucher::update(const world::TrackedFrame& frame, std::span<const world::Detection> images,
+                         std::vector<world::Touch>& out) {
+  const View* view = views_.add(frame, images, field_);
+  fresh_.reset();
+  if (frame.ball && !frame.ball->observed) {
+    judge_hidden(frame);
+    tell({}, out);
+    return;
+  }
+  if (!view) return;
+  const Sighting& now = (*view)[0];
+  if (!visit_ && now.gap < params_.visit) {
+    visit_.emplace();
+    visit_->begin = now.time;
+    visit_->before = belief_;
+    visit_->course = view->course;
+    visit_->camera = view->camera;
+  }
+  if (!visit_) return;
+  // Between two sightings a fast ball may have been nearer than in either.
+  const double gap = now.gap - (now.ball - (*view)[1].ball).norm() / 2;
+  if (gap < visit_->closest) {
+    visit_->closest = gap;
+    visit_->nearest = now.nearest;
+  }
+  if ((*view)[2].robot_count > 0 && (*view)[3].robot_count > 0) judge_window(*view, frame.ball->airborne);
+  if (view->clear >= Course::samples) end_visit(*view);
+  tell(fresh_, out);
+}
+
+void LastToucher::judge_hidden(const world::TrackedFrame& frame) {
+  if (!visit_) return;
+  const Vector2d ball = frame.ball->position.head<2>();
+  for (const world::TrackedRobot& robot : frame.robots) {
+    const Vector2d arm = ball - robot.position;
+    if (robot.id.number > world::max_robot_number || arm.squaredNorm() > 0.15 * 0.15) continue;
+    const double gap =
+        std::max(0.0, hull_gap(world::rotated(arm, -robot.orientation), field_)) / params_.hidden_gap;
+    const double share = params_.hidden_touch * std::exp(-gap * gap / 2);
+    for (double& b : belief_) b *= 1 - share;
+    for (double& b : visit_->within) b *= 1 - share;
+    visit_->untouched *= 1 - share;
+    belief_[slot(robot.id)] += share;
+    visit_->within[slot(robot.id)] += share;
+    if (share > params_.hidden_touch / 2) remember(slot(robot.id), frame.time, ball);
+  }
+}
+
+void LastToucher::judge_window(const View& view, double airborne) {
+  const Sighting& s3 = view[3];
+  const Sighting& s2 = view[2];
+  struct Near {
+    std::size_t robot;
+    double weight;
+  };
+  std::array<Near, Sighting::most_robots> near;
+  std::size_t count = 0;
+  const double noise = noise_of(view);
+  const Broken broken = fit(view, noise);
+  const double free = free_density(broken, airborne, std::min(s2.gap, s3.gap) < params_.hiding, params_);
+  double sum = free;
+  for (std::size_t n = 0; n < s2.robot_count; ++n) {
+    const Sighting::Robot& r2 = s2.robots[n];
+    const Sighting::Robot* r3 = s3.find(r2.slot);
+    if (!r3) continue;
+    const Vector2d moved = r2.position - r3->position;
+    const double turn = world::wrap_angle(r2.orientation - r3->orientation);
+    const Vector2d arm = broken.place - (r3->position + moved * broken.share);
+    const Vector2d local = world::rotated(arm, -(r3->orientation + turn * broken.share));
+    const double gap = hull_gap(local, field_);
+    if (gap > params_.visit) continue;
+    const Vector2d velocity = moved / world::seconds(s2.time - s3.time);
+    const double weight =
+        contact_density(broken, {gap, arm.normalized(), velocity, at_front(local)}, noise, free, params_);
+    near[count++] = {r2.slot, weight};
+    sum += weight;
+  }
+  if (count == 0 || !(sum > 0)) return;
+  ++visit_->windows;
+
+  double touched = 0;
+  for (std::size_t n = 0; n < count; ++n) touched += near[n].weight / sum;
+  for (double& b : belief_) b *= 1 - touched;
+  for (double& b : visit_->within) b *= 1 - touched;
+  visit_->untouched *= 1 - touched;
+  for (std::size_t n = 0; n < count; ++n) {
+    const double share = near[n].weight / sum;
+    const std::size_t robot = near[n].robot;
+    belief_[robot] += share;
+    visit_->within[robot] += share;
+    if (share > likely) remember(robot, s2.time, broken.place);
+    if (share > sure) {
+      fresh_ = robot;
+      sure_[robot] = last_[robot];
+    }
+  }
+}
+
+void LastToucher::end_visit(const View& view) {
+  const Visit visit = *visit_;
+  visit_.reset();
+  if (!visit.course || visit.camera != view.camera || !view.course) return;
+  const double free = passed_freely(*visit.course, *view.course, noise_of(view), params_);
+  const double changed = passage_changed(*visit.course, *view.course, params_);
+  // The windows have said whether it was touched, unless some of it was hidden from them.
+  const double close = std::max(0.0, visit.closest) / params_.trace_sigma;
+  const double frames = world::seconds(view[0].time - visit.begin) / world::tick_length;
+  const double hidden = std::clamp(1 - (visit.windows + 1) / (frames + 1 - Course::samples), 0.0, 1.0);
+  const double prior =
+      std::clamp((1 - visit.untouched) + visit.untouched * hidden * 0.5 * std::exp(-close * close / 2),
+                 params_.least_prior, 1 - params_.least_prior);
+  const double touched = prior * changed / (prior * changed + (1 - prior) * free);
+  if (touched < likely) {
+    belief_ = visit.before;
+    return;
+  }
+  // Whoever touched it last, the ball came from there.
+  Beliefs shares{};
+  const double unseen = params_.unseen_touch * (0.02 + visit.untouched);
+  double sum = 0;
+  const Sighting& then = view[Course::samples - 1];
+  const auto weigh = [&](std::size_t robot, double trace) {
+    shares[robot] = (visit.within[robot] + unseen) * trace;
+    sum += shares[robot];
+  };
+  for (std::size_t n = 0; n < robot_slots; ++n) {
+    if (visit.within[n] > 0 && !then.find(n)) weigh(n, params_.no_trace);
+  }
+  for (std::size_t n = 0; n < then.robot_count; ++n) {
+    const double off = trace_back(then.robots[n], *view.course) / params_.trace_sigma;
+    weigh(then.robots[n].slot, std::exp(-off * off / 2) + params_.no_trace);
+  }
+  if (!(sum > 0)) return;
+  const Vector2d place = (visit.course->middle + view.course->middle) / 2;
+  const world::Time when = visit.course->time + (view.course->time - visit.course->time) / 2;
+  for (std::size_t n = 0; n < robot_slots; ++n) {
+    const double share = shares[n] / sum;
+    belief_[n] = (1 - touched) * visit.before[n] + touched * share;
+    if (share > likely && last_[n].time < visit.course->time) remember(n, when, place);
+  }
+}
+
+double LastToucher::trace_back(const Sighting::Robot& robot, const Course& course) const {
+  const double speed = course.velocity.norm();
+  const Vector2d arm = robot.position - course.middle;
+  if (speed <= 0) return std::max(0.0, arm.norm() - field_.robot_radius - field_.ball_radius);
+  const Vector2d back = -course.velocity / speed;
+  const double along = std::max(0.0, arm.dot(back));
+  return std::max(0.0, (arm - back * along).norm() - field_.robot_radius - field_.ball_radius);
+}
+
+void LastToucher::remember(std::size_t robot, world::Time when, const Vector2d& place) {
+  const world::Touch touch{robot_in(robot), when, place};
+  const bool same = last_[robot].robot == touch.robot && when - last_[robot].time < one_contact;
+  if (!same) first_[robot] = touch;
+  last_[robot] = touch;
+}
+
+void LastToucher::tell(std::optional<std::size_t> fresh, std::vector<world::Touch>& out) {
+  const auto top = static_cast<std::size_t>(std::ranges::max_element(belief_) - belief_.begin());
+  const double probability = belief_[top];
+  const bool is_news = fresh == top || told_ != top || std::abs(told_touch_.probability - probability) > news;
+  if (!is_news || probability <= 0 || last_[top].robot != robot_in(top)) return;
+  const bool known_sure = sure_[top].robot == robot_in(top) && sure_[top].time >= first_[top].time;
+  world::Touch touch;
+  if (told_ == top) {
+    touch = fresh == top ? last_[top] : told_touch_;
+  } else {
+    touch = fresh != top && known_sure ? sure_[top] : first_[top];
+  }
+  touch.rival.reset();
+  touch.probability = probability;
+  double second = 0;
+  for (std::size_t n = 0; n < robot_slots; ++n) {
+    if (n == top || belief_[n] <= second) continue;
+    second = belief_[n];
+    touch.rival = robot_in(n);
+  }
+  told_ = top;
+  told_touch_ = touch;
+  out.push_back(touch);
+}
+
+}  // namespace touch

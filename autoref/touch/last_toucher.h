@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "autoref/touch/likelihood.h"
+#include "autoref/touch/views.h"
+#include "sim/world/field.h"
+#include "sim/world/tracked_frame.h"
+
+namespace touch {
+
+/// Who touched the ball last, as a probability for each robot: contact is weighed against free motion.
+///
+/// While the ball is near robots (a visit) every six sightings are judged by themselves; when it has left
+/// them, what it did in between is judged once more by its course before and after.
+class LastToucher {
+ public:
+  explicit LastToucher(const world::Field& field, LikelihoodParams params = {})
+      : field_(field), params_(params) {}
+
+  /// Appends what the next frame tells: a new touch, or an old one, with its old time, whose probability
+  /// changed.
+  void update(const world::TrackedFrame& frame, std::span<const world::Detection> images,
+              std::vector<world::Touch>& out);
+
+  void reset();
+
+ private:
+  using Beliefs = std::array<double, robot_slots>;
+
+  /// The ball near robots.
+  struct Visit {
+    Beliefs before{};      // who touched it last when it came
+    Beliefs within{};      // and since then
+    double untouched = 1;  // nobody did
+    int windows = 0;       // judged
+    world::Time begin;
+    double closest = 1;            // [m] least gap
+    std::size_t nearest = 0;       // whose
+    std::optional<Course> course;  // of the ball when it came
+    int camera = 0;                // that saw it come
+  };
+
+  void judge_hidden(const world::TrackedFrame& frame);
+  void judge_window(const View& view, double airborne);
+  void end_visit(const View& view);
+  /// How far from the robot's circle the ball's course began, followed backwards [m].
+  double trace_back(const Sighting::Robot& robot, const Course& course) const;
+  void remember(std::size_t robot, world::Time when, const Vector2d& place);
+  void tell(std::optional<std::size_t> fresh, std::vector<world::Touch>& out);
+  double noise_of(const View& view) const { return view.tracked() ? params_.tracked_sigma : views_.noise(); }
+
+  world::Field field_;
+  LikelihoodParams params_;
+  Views views_;
+  std::optional<Visit> visit_;
+  Beliefs belief_{};
+  std::array<world::Touch, robot_slots> first_{};  // of each robot, its last contact: when it began
+  std::array<world::Touch, robot_slots> last_{};   // when it was likely last
+  std::array<world::Touch, robot_slots> sure_{};   // and when it was sure last
+  std::optional<std::size_t> fresh_;               // who surely touched it in this window
+  std::optional<std::size_t> told_;                // slot of `told_touch_`
+  world::Touch told_touch_;
+};
+
+}  // namespace touch
