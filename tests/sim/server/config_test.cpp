@@ -297,9 +297,9 @@ TEST(RobotSpecs, ARefusalNamesTheFieldThatWasSentAsItWasWritten) {
   EXPECT_EQ(message([](Specs& s) { s.mutable_limits()->set_vel_absolute_max(0.05F); }),
             "robot_specs, blue 1: vel_absolute_max = 0.05 must be from 0.1 to 10 m/s");
   EXPECT_EQ(message([](Specs& s) { s.mutable_id()->set_id(16); }),
-            "robot_specs: the id has number 16 and team BLUE; it must have a team, YELLOW or BLUE, and a "
+            "robot_specs: the id has team BLUE and number 16; it must have a team, YELLOW or BLUE, and a "
             "number, 0 to 15");
-  EXPECT_THAT(message([](Specs& s) { s.clear_id(); }), HasSubstr("the id has no number and no team;"));
+  EXPECT_THAT(message([](Specs& s) { s.clear_id(); }), HasSubstr("the id has no team and no number;"));
 }
 
 TEST(RobotSpecs, EveryBoundedNumberHasTheNameOfItsMessageField) {

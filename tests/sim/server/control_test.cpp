@@ -278,7 +278,7 @@ TEST(TeleportRobot, WhatCannotBeDoneChangesNothing) {
     return b.control(b.command).errors(0).message();
   };
   EXPECT_EQ(sentence([](auto& r) { r.mutable_id()->set_id(16); }),
-            "teleport_robot: the id has number 16 and team BLUE; it must have a team, YELLOW or BLUE, and a "
+            "teleport_robot: the id has team BLUE and number 16; it must have a team, YELLOW or BLUE, and a "
             "number, 0 to 15");
   EXPECT_EQ(sentence([](auto& r) { r.set_v_x(10.1F); }),
             "teleport_robot, blue 1: v_x = 10.1 must be from -10 to 10")
