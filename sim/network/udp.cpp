@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/error.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/multicast.hpp>
 #include <boost/asio/ip/udp.hpp>
@@ -68,7 +69,9 @@ UdpSocket UdpSocket::server(const Address& address) {
   auto impl = std::make_unique<Impl>();
   error_code error;
   impl->socket.bind(endpoint(address), error);
-  if (error) fail("cannot listen on " + to_string(address), error);
+  const std::string what = "cannot listen on " + to_string(address);
+  if (error == boost::asio::error::address_in_use) throw AddressInUse(what + ": " + error.message());
+  if (error) fail(what, error);
   return UdpSocket(std::move(impl));
 }
 

@@ -34,6 +34,12 @@ class NetworkError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Another socket listens there already.
+class AddressInUse : public NetworkError {
+ public:
+  using NetworkError::NetworkError;
+};
+
 /// Bytes that came, and from where.
 struct Datagram {
   std::string_view bytes;  ///< whole, up to 65507; until the next `receive` of the same socket
@@ -47,7 +53,7 @@ inline constexpr std::size_t max_udp_payload = 65507;
 class UdpSocket {
  public:
   /// Listens on one address, alone: a second socket on it is an error.
-  /// @throws NetworkError
+  /// @throws AddressInUse, or another NetworkError
   static UdpSocket server(const Address& address);
   /// Sends to a multicast group by the interface that has the address `interface`; it does not leave the
   /// local network (TTL 1), and programs on this machine hear it too.

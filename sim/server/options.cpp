@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "sim/network/udp.h"
+#include "sim/server/realism_file.h"
 #include "sim/server/server.h"
 #include "sim/world/rules/rule_set.h"
 
@@ -45,6 +46,11 @@ std::vector<std::string_view> split(std::string_view text, char at) {
 void check_port(const char* flag, int port) {
   require(port >= 0 && port <= 65535,
           fmt::format("--{} {}: ports go from 1 to 65535 (0: any free one)", flag, port));
+}
+
+void check_different(const char* flag, int port, const char* other_flag, int other_port) {
+  require(port != other_port || port == 0,
+          fmt::format("--{} {} and --{} {}: must not be the same", flag, port, other_flag, other_port));
 }
 
 }  // namespace
@@ -87,10 +93,13 @@ void check(const Options& options) {
   check_port("control-port", options.control_port);
   check_port("blue-port", options.blue_port);
   check_port("yellow-port", options.yellow_port);
+  check_different("control-port", options.control_port, "blue-port", options.blue_port);
+  check_different("control-port", options.control_port, "yellow-port", options.yellow_port);
+  check_different("blue-port", options.blue_port, "yellow-port", options.yellow_port);
 }
 
 Setup make_setup(const Options& options) {
-  engine::Realism realism = engine::realism(options.realism);
+  engine::Realism realism = named_realism(options.realism);
   for (const std::string& text : options.set) {
     const std::size_t equals = text.find('=');
     const auto value = number(std::string_view(text).substr(equals + 1));

@@ -13,8 +13,8 @@ namespace server {
 /// The command line of ssl-sim.
 struct Options {
   std::string rules = "ssl-2015";
-  std::string realism = "measured";
-  std::vector<std::string> set;     ///< "key=value", in this order, after the preset
+  std::string realism = "measured";  ///< preset or TOML file
+  std::vector<std::string> set;      ///< "key=value", in this order, on top of it
   std::optional<std::string> blue;  ///< as "0-5" or "1,4,7" or "none"; nothing: as many as the rules let play
   std::optional<std::string> yellow;
   std::uint64_t seed = 1;

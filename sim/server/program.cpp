@@ -8,6 +8,7 @@
 #include <deque>
 #include <ostream>
 #include <utility>
+#include <vector>
 
 #include "sim/network/udp.h"
 #include "sim/server/pacer.h"
@@ -32,12 +33,28 @@ constexpr auto budget_period = std::chrono::nanoseconds{1'000'000'000 / world::t
 
 std::uint16_t port(int number) { return static_cast<std::uint16_t>(number); }
 
-UdpSocket listen(const Options& options, int number, const char* flag) {
-  try {
-    return UdpSocket::server({options.interface, port(number)});
-  } catch (const network::NetworkError& error) {
-    throw network::NetworkError(fmt::format("{} (choose with --{} and --interface)", error.what(), flag));
+/// Listens on the ports one after the other, control, blue, yellow; a sentence names all that are taken.
+std::vector<UdpSocket> listen(const Options& options) {
+  std::vector<UdpSocket> sockets;
+  std::string taken;
+  for (const auto& [flag, number] :
+       {std::pair{"control-port", options.control_port}, std::pair{"blue-port", options.blue_port},
+        std::pair{"yellow-port", options.yellow_port}}) {
+    try {
+      sockets.push_back(UdpSocket::server({options.interface, port(number)}));
+    } catch (const network::AddressInUse&) {
+      taken += fmt::format("{}--{} {}", taken.empty() ? "" : ", ", flag, number);
+    } catch (const network::NetworkError& error) {
+      throw network::NetworkError(fmt::format("{} (choose with --{} and --interface)", error.what(), flag));
+    }
   }
+  if (!taken.empty()) {
+    throw network::NetworkError(
+        fmt::format("already in use on {}: {}; choose other ports, and for a second ssl-sim also another "
+                    "--vision-port or --vision-address, since the frames of both would mix",
+                    options.interface, taken));
+  }
+  return sockets;
 }
 
 wire::Epoch epoch_now() {
@@ -60,7 +77,7 @@ std::string numbers(const std::vector<int>& robots) {
 
 /// One port: a socket, and what answers.
 struct Port {
-  UdpSocket socket;
+  UdpSocket& socket;
   int budget = 0;  // datagrams that may still be handled in this period
 
   template <class Answer>
@@ -80,9 +97,10 @@ class Program {
         out_(out),
         err_(err),
         vision_(UdpSocket::multicast_sender(options.interface)),
-        control_{listen(options, options.control_port, "control-port")},
-        blue_{listen(options, options.blue_port, "blue-port")},
-        yellow_{listen(options, options.yellow_port, "yellow-port")},
+        sockets_(listen(options)),
+        control_{sockets_[0]},
+        blue_{sockets_[1]},
+        yellow_{sockets_[2]},
         start_(Clock::now()),
         epoch_(epoch_now()),
         server_(make_setup(options), robots(options), options.speed, port(options.vision_port), epoch_),
@@ -155,7 +173,9 @@ class Program {
 
   // A tick is played when it begins, so that its frames can leave at their own instants within it.
   void play(Clock::time_point now) {
-    skipped_ += pacer_.give_up(now, server_.time());
+    const Clock::duration skipped = pacer_.give_up(now, server_.time());
+    if (skipped > Clock::duration::zero()) skipped_at_ = pacer_.speed();
+    skipped_ += skipped;
     for (const VisionPacket& packet : server_.step()) waiting_.push_back(packet);
   }
 
@@ -178,7 +198,7 @@ class Program {
             {.yellow = server_.robot_counts(Team::Yellow), .blue = server_.robot_counts(Team::Blue)},
             not_sent_,
             skipped_,
-            server_.speed()};
+            skipped_at_};
   }
 
   void report(Clock::time_point now) {
@@ -211,6 +231,7 @@ class Program {
   std::ostream& out_;
   std::ostream& err_;
   UdpSocket vision_;
+  std::vector<UdpSocket> sockets_;  // of the three ports
   Port control_;
   Port blue_;
   Port yellow_;
@@ -226,6 +247,7 @@ class Program {
   Clock::time_point next_budget_;
   Clock::time_point next_report_;
   Clock::duration skipped_{};
+  double skipped_at_ = 1;  // the speed that was in force
   Troubles reported_;
   std::uint64_t not_sent_ = 0;
   std::uint64_t frames_ = 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -53,14 +54,22 @@ void apply_ours(const RealismMatchday& message, Changes& changes) {
   for (const auto& value : message.values()) changes.set(wire::printable(value.key()), value.value());
 }
 
+/// The decimal number that people wrote for a float: 0.1, not 0.10000000149011612.
+double as_written(double value) {
+  const std::string text = fmt::format("{}", static_cast<float>(value));
+  double result = 0;
+  std::from_chars(text.data(), text.data() + text.size(), result);
+  return result;
+}
+
 double ticks(double nanoseconds) { return std::round(nanoseconds * 1e-9 * world::ticks_per_second); }
 
 void apply_er_force(const RealismConfigErForce& theirs, double robots_per_camera, Changes& changes) {
   const auto take = [&](bool present, const char* field, double value, std::string_view key) {
-    if (present) changes.set(key, value, fmt::format("{}: ", field));
+    if (present) changes.set(key, as_written(value), fmt::format("{}: ", field));
   };
   const auto refuse = [&](bool present, const char* field, double value, const char* reason) {
-    if (present) changes.unsupported(fmt::format("{} = {} is ignored: {}", field, value, reason));
+    if (present) changes.unsupported(fmt::format("{} = {} is ignored: {}", field, as_written(value), reason));
   };
   take(theirs.has_stddev_ball_p(), "stddev_ball_p", theirs.stddev_ball_p(), "vision.ball_sigma");
   take(theirs.has_stddev_robot_p(), "stddev_robot_p", theirs.stddev_robot_p(), "vision.robot_sigma");

@@ -14,7 +14,7 @@ struct Troubles {
   world::PerTeam<PortCounts> robots;
   std::uint64_t not_sent = 0;        ///< datagrams that the system did not take
   Pacer::Clock::duration skipped{};  ///< of the schedule
-  double speed = 1;                  ///< that was asked for
+  double speed = 1;                  ///< in force when time could last not be kept
 };
 
 /// What is new in `now`, for people; empty when nothing is.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -25,29 +26,57 @@ void require(bool holds, const std::string& sentence) {
   if (!holds) throw std::invalid_argument(sentence);
 }
 
+/// A number that came as a float, as its sender wrote it: 0.1, not 0.10000000149011612.
+float written(double value) { return static_cast<float>(value); }
+
 void check_range(const char* name, double value, double lowest, double highest) {
   require(value >= lowest && value <= highest,
-          fmt::format("field: {} must be from {} to {} m, is {}", name, lowest, highest, value));
+          fmt::format("field: {} must be from {} to {} m, is {}", name, lowest, highest, written(value)));
 }
 
-/// The bounds of the realism's keys hold for every single robot too.
+/// The name of a number of the realism's robots in the messages.
+std::string_view message_name(std::string_view key) {
+  static const std::map<std::string_view, std::string_view> names = {
+      {"robots.max_speed", "vel_absolute_max"},
+      {"robots.max_speed_sideways", "vel_sideways_max"},
+      {"robots.max_acceleration", "acc_speedup_absolute_max"},
+      {"robots.max_acceleration_sideways", "acc_speedup_sideways_max"},
+      {"robots.max_brake", "acc_brake_absolute_max"},
+      {"robots.max_brake_sideways", "acc_brake_sideways_max"},
+      {"robots.max_angular_speed", "vel_angular_max"},
+      {"robots.max_angular_acceleration", "acc_speedup_angular_max"},
+      {"robots.max_angular_brake", "acc_brake_angular_max"},
+      {"robots.max_kick_speed", "max_linear_kick_speed"},
+      {"robots.max_chip_speed", "max_chip_kick_speed"},
+  };
+  const auto found = names.find(key);
+  return found != names.end() ? found->second : key.substr(key.find('.') + 1);
+}
+
+/// The bounds of the realism's keys hold for every single robot too. Only messages can break them here, so
+/// the fields have the names of the messages.
 void check_robot(const world::RobotSpecs& specs, const wire::WheelAngles& wheels, engine::Realism& scratch) {
   const std::string owner = fmt::format("{} {}: ", name(specs.id.team), specs.id.number);
+  const auto within = [&](std::string_view field, double value, double lowest, double highest,
+                          std::string_view unit) {
+    require(value >= lowest && value <= highest, fmt::format("{}{} = {} must be from {} to {} {}", owner,
+                                                             field, written(value), lowest, highest, unit));
+  };
   scratch.robots = specs;
   for (const engine::RealismKey& key : engine::realism_keys()) {
     if (!key.name.starts_with("robots.")) continue;
-    const double value = key.get(scratch);
-    require(value >= key.lowest && value <= key.highest,
-            fmt::format("{}{} must be from {} to {} {}, is {}", owner, key.name.substr(7), key.lowest,
-                        key.highest, key.unit, value));
+    within(message_name(key.name), key.get(scratch), key.lowest, key.highest, key.unit);
   }
-  require(specs.radius >= 0.02 && specs.radius <= 0.5 && specs.height >= 0.02 && specs.height <= 0.5,
-          fmt::format("{}radius and height must be from 0.02 to 0.5 m, are {} and {}", owner, specs.radius,
-                      specs.height));
-  require(specs.center_to_dribbler >= specs.radius / 2 && specs.dribbler_width <= 2 * specs.radius,
-          fmt::format("{}center_to_dribbler must be at least half of radius, dribbler_width at most twice, "
-                      "are {} and {} m",
-                      owner, specs.center_to_dribbler, specs.dribbler_width));
+  within("radius", specs.radius, 0.02, 0.5, "m");
+  within("height", specs.height, 0.02, 0.5, "m");
+  require(specs.center_to_dribbler >= specs.radius / 2 && specs.center_to_dribbler < specs.radius,
+          fmt::format("{}radius = {} and center_to_dribbler = {} m do not fit: the front must be at least "
+                      "half of the radius before the centre, and less than all of it",
+                      owner, written(specs.radius), written(specs.center_to_dribbler)));
+  require(specs.dribbler_width <= 2 * specs.radius,
+          fmt::format("{}radius = {} and dribbler_width = {} m do not fit: the dribbler must be at most as "
+                      "wide as the robot",
+                      owner, written(specs.radius), written(specs.dribbler_width)));
   require(motion(wheels, {}, specs.radius).has_value(),
           owner + "wheel_angles leave a direction open: the wheels must not all push the same way");
 }
@@ -161,6 +190,12 @@ engine::Model model(const Setup& setup) {
 bool same_world(const Setup& a, const Setup& b) { return fingerprint(a) == fingerprint(b); }
 
 void check(const Setup& setup) {
+  engine::Realism scratch;
+  for (const world::Team team : world::both_teams) {
+    for (std::size_t i = 0; i < robots_per_team; ++i) {
+      check_robot(setup.specs[team][i], setup.wheels[team][i], scratch);
+    }
+  }
   const engine::Model whole = model(setup);
   engine::check(whole);
   check_range("length", setup.field.length, 1, 50);
@@ -175,14 +210,8 @@ void check(const Setup& setup) {
   for (const world::Camera& camera : cameras) {
     require(camera.position.z() >= lowest_camera,
             fmt::format("camera {} must be at least {} m high, is at {} m", camera.id, lowest_camera,
-                        camera.position.z()));
+                        written(camera.position.z())));
     require(ids.insert(camera.id).second, fmt::format("camera {} is there twice", camera.id));
-  }
-  engine::Realism scratch;
-  for (const world::Team team : world::both_teams) {
-    for (std::size_t i = 0; i < robots_per_team; ++i) {
-      check_robot(setup.specs[team][i], setup.wheels[team][i], scratch);
-    }
   }
 }
 
@@ -210,7 +239,7 @@ std::vector<Problem> apply(const matchday::vision::SSL_GeometryData& geometry, S
 std::vector<Problem> apply(const matchday::simulation::RobotSpecs& message, Setup& setup) {
   const auto id = wire::decode(message.id());
   if (!id) {
-    return {{code::robot_id, "robot_specs: id must have a team, YELLOW or BLUE, and a number 0 to 15"}};
+    return {wire::not_a_robot("robot_specs", message.id())};
   }
   const std::string owner = fmt::format("robot_specs, {} {}: ", name(id->team), id->number);
   Setup changed = setup;
@@ -219,7 +248,7 @@ std::vector<Problem> apply(const matchday::simulation::RobotSpecs& message, Setu
       wire::apply(message, changed.specs[id->team][id->number], changed.wheels[id->team][id->number]);
   for (Problem& problem : problems) problem.message.insert(0, owner);
   if (has(problems, code::spec)) return problems;  // half a robot is nobody's wish
-  return replace(setup, std::move(changed), code::spec, "robot_specs: ", std::move(problems));
+  return replace(setup, std::move(changed), code::spec, "robot_specs, ", std::move(problems));
 }
 
 std::vector<Problem> apply(const matchday::simulation::RealismConfig& message, std::size_t robots,

@@ -69,6 +69,9 @@ struct WheelAngles {
 
 /// The robot that is meant; nothing when team or number are missing or unknown.
 std::optional<world::RobotId> decode(const proto::RobotId& id);
+/// What to say of an id that means no robot (code::robot_id).
+/// @param owner  what it stands in, as "teleport_robot"
+Problem not_a_robot(std::string_view owner, const proto::RobotId& id);
 
 /// The league's specs, and what it has no fields for as a RobotSpecsMatchday in `custom`; no wheel angles.
 void encode(const world::RobotSpecs& specs, proto::RobotSpecs& out);

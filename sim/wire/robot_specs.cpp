@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 
 #include "sim/proto/simulation_custom.pb.h"
 #include "sim/wire/any.h"
@@ -121,6 +122,14 @@ std::optional<world::RobotId> decode(const proto::RobotId& id) {
   if (!known) return std::nullopt;
   return world::RobotId{id.team() == matchday::simulation::YELLOW ? world::Team::Yellow : world::Team::Blue,
                         static_cast<std::uint8_t>(id.id())};
+}
+
+Problem not_a_robot(std::string_view owner, const proto::RobotId& id) {
+  const std::string number = id.has_id() ? fmt::format("number {}", id.id()) : "no number";
+  const std::string team = id.has_team() ? "team " + proto::Team_Name(id.team()) : "no team";
+  return {code::robot_id,
+          fmt::format("{}: the id has {} and {}; it must have a team, YELLOW or BLUE, and a number, 0 to {}",
+                      owner, team, number, world::max_robot_number)};
 }
 
 std::vector<Problem> apply(const proto::RobotSpecs& message, world::RobotSpecs& specs, WheelAngles& wheels) {

@@ -25,11 +25,10 @@ class Reader {
   void number(const char* name, bool present, float value, double lowest, double highest,
               std::optional<double>& result) {
     if (!present) return;
-    const double number = value;
-    if (number >= lowest && number <= highest) {  // not so for NaN
-      result = number;
+    if (value >= lowest && value <= highest) {  // not so for NaN
+      result = value;
     } else if (!problem_) {
-      problem_ = Problem{code::value, fmt::format("{}: {} = {} must be from {} to {}", owner_, name, number,
+      problem_ = Problem{code::value, fmt::format("{}: {} = {} must be from {} to {}", owner_, name, value,
                                                   lowest, highest)};
     }
   }
@@ -67,8 +66,7 @@ Result<BallTeleport> decode(const matchday::simulation::TeleportBall& message) {
 Result<RobotTeleport> decode(const matchday::simulation::TeleportRobot& message) {
   const std::optional<world::RobotId> id = decode(message.id());
   if (!id) {
-    return Problem{code::robot_id,
-                   "teleport_robot: id must have a team, YELLOW or BLUE, and a number 0 to 15"};
+    return not_a_robot("teleport_robot", message.id());
   }
   RobotTeleport robot;
   robot.id = *id;

@@ -121,7 +121,7 @@ TEST_F(RecordedGame, ThatIsCutOffIsPlayedAsFarAsItGoes) {
   half.continuation->recording = file;
   const record::MatchRecord record = play(half);
   EXPECT_EQ(record.termination, Termination::Interrupted);
-  EXPECT_EQ(record.reason, "the recording ends here");
+  EXPECT_EQ(record.reason, "the recording is cut off here");
   EXPECT_GT(record.ticks, original.ticks / 4);
 }
 

@@ -18,10 +18,10 @@ inline Header example_header() {
   header.experiment = "0123456789abcdef0123456789abcdef";
   const record::TeamConfig a{.name = "ours", .command = {"team-a"}};
   record::TeamConfig b{.name = "theirs", .command = {"team-b"}};
-  header.conditions.push_back({"equal", a, b});
+  header.conditions.push_back({"equal", a, b, "measured"});
   b.robots = {0, 1, 2};
   b.speed_factor = 0.5;
-  header.conditions.push_back({"hindered", a, b});
+  header.conditions.push_back({"hindered", a, b, "measured with radio.loss 0.2"});
   return header;
 }
 

@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <numbers>
+#include <set>
+#include <stdexcept>
 
 #include "sim/proto/simulation_custom.pb.h"
 #include "sim/wire/vision.h"
@@ -270,6 +272,63 @@ TEST(RobotSpecs, ABadFieldLeavesTheWholeRobotAsItWas) {
   EXPECT_EQ(b.codes(with_specs(specs)), "ROBOT_ID ");
 }
 
+TEST(RobotSpecs, ARefusalNamesTheFieldThatWasSentAsItWasWritten) {
+  Bench b;
+  const auto message = [&](const std::function<void(proto::RobotSpecs&)>& fill) {
+    proto::RobotSpecs specs = specs_of(1);
+    fill(specs);
+    const auto response = b.control(with_specs(specs));
+    EXPECT_EQ(response.errors_size(), 1);
+    return response.errors(0).message();
+  };
+  using Specs = proto::RobotSpecs;
+  EXPECT_EQ(message([](Specs& s) { s.set_radius(-0.1F); }),
+            "robot_specs, blue 1: radius = -0.1: must be positive and finite");
+  EXPECT_EQ(message([](Specs& s) { s.set_radius(0.6F); }),
+            "robot_specs, blue 1: radius = 0.6 must be from 0.02 to 0.5 m");
+  EXPECT_EQ(message([](Specs& s) { s.set_height(0.01F); }),
+            "robot_specs, blue 1: height = 0.01 must be from 0.02 to 0.5 m");
+  EXPECT_EQ(
+      message([](Specs& s) { s.set_radius(0.2F); }),
+      "robot_specs, blue 1: radius = 0.2 and center_to_dribbler = 0.073 m do not fit: the front must be at "
+      "least half of the radius before the centre, and less than all of it");
+  EXPECT_EQ(message([](Specs& s) { s.set_max_linear_kick_speed(10.1F); }),
+            "robot_specs, blue 1: max_linear_kick_speed = 10.1 must be from 0.1 to 10 m/s");
+  EXPECT_EQ(message([](Specs& s) { s.mutable_limits()->set_vel_absolute_max(0.05F); }),
+            "robot_specs, blue 1: vel_absolute_max = 0.05 must be from 0.1 to 10 m/s");
+  EXPECT_EQ(message([](Specs& s) { s.mutable_id()->set_id(16); }),
+            "robot_specs: the id has team BLUE and number 16; it must have a team, YELLOW or BLUE, and a "
+            "number, 0 to 15");
+  EXPECT_THAT(message([](Specs& s) { s.clear_id(); }), HasSubstr("the id has no team and no number;"));
+}
+
+TEST(RobotSpecs, EveryBoundedNumberHasTheNameOfItsMessageField) {
+  const auto fields = [](const google::protobuf::Descriptor* message) {
+    std::set<std::string> names;
+    for (int i = 0; i < message->field_count(); ++i) names.insert(message->field(i)->name());
+    return names;
+  };
+  std::set<std::string> known = fields(proto::RobotSpecs::descriptor());
+  known.merge(fields(proto::RobotLimits::descriptor()));
+  known.merge(fields(proto::RobotSpecsMatchday::descriptor()));
+  for (const engine::RealismKey& key : engine::realism_keys()) {
+    if (!key.name.starts_with("robots.")) continue;
+    server::Setup setup = server::make_setup(world::Field{}, engine::realism("none"), 1);
+    engine::Realism bad;
+    key.put(bad, 2 * key.highest);
+    bad.robots.id = setup.specs.blue[1].id;
+    setup.specs.blue[1] = bad.robots;
+    try {
+      server::check(setup);
+      ADD_FAILURE() << key.name;
+    } catch (const std::invalid_argument& error) {
+      const std::string text = error.what();
+      const std::string field = text.substr(8, text.find(" = ") - 8);  // behind "blue 1: "
+      EXPECT_TRUE(known.contains(field)) << text;
+    }
+  }
+}
+
 TEST(RobotSpecs, ErForcesPayloadGivesTheDribblerWidth) {
   Bench b;
   proto::RobotSpecs specs = specs_of(1);
@@ -377,6 +436,19 @@ TEST(RealismErForce, EachFieldIsOneOfOurKeys) {
       EXPECT_EQ(key.get(realism_in(b)), key.get(expected)) << key.name;
     }
   }
+}
+
+TEST(RealismErForce, ANumberIsTheDecimalThatPeopleWrote) {
+  Bench b;
+  proto::RealismConfigErForce message;
+  message.set_robot_command_loss(0.1F);
+  EXPECT_EQ(b.codes(with_realism(message, "RealismConfigErForce")), "");
+  EXPECT_EQ(realism_in(b).radio.loss, 0.1) << "not 0.10000000149011612";
+  message.set_robot_command_loss(1.1F);
+  const auto response = b.control(with_realism(message, "RealismConfigErForce"));
+  ASSERT_EQ(response.errors_size(), 1);
+  EXPECT_EQ(response.errors(0).message(),
+            "robot_command_loss: realism radio.loss = 1.1: must be from 0 to 1");
 }
 
 TEST(RealismErForce, SaysWhatItCannotFollow) {

@@ -218,6 +218,9 @@ TEST(TeleportRobot, ComesAndGoes) {
   EXPECT_EQ(b.codes(b.command), "");
   EXPECT_EQ(b.robot(Team::Yellow, 9), nullptr);
   EXPECT_EQ(b.codes(b.command), "") << "gone is gone";
+  b.command.Clear();
+  b.wish(7).set_present(false);
+  EXPECT_EQ(b.codes(b.command), "") << "who was never there too";
 }
 
 TEST(TeleportRobot, ByForceDragsItThereAndHoldsIt) {
@@ -268,6 +271,18 @@ TEST(TeleportRobot, WhatCannotBeDoneChangesNothing) {
   EXPECT_EQ(code([](auto& r) { r.mutable_id()->set_id(16); }), "ROBOT_ID ");
   EXPECT_EQ(b.robot(Team::Blue, 7), nullptr);
   EXPECT_EQ(b.robot(Team::Blue, 1)->position, before.position);
+
+  const auto sentence = [&](const std::function<void(proto::TeleportRobot&)>& fill) {
+    b.command.Clear();
+    fill(b.wish(1));
+    return b.control(b.command).errors(0).message();
+  };
+  EXPECT_EQ(sentence([](auto& r) { r.mutable_id()->set_id(16); }),
+            "teleport_robot: the id has team BLUE and number 16; it must have a team, YELLOW or BLUE, and a "
+            "number, 0 to 15");
+  EXPECT_EQ(sentence([](auto& r) { r.set_v_x(10.1F); }),
+            "teleport_robot, blue 1: v_x = 10.1 must be from -10 to 10")
+      << "as it was written";
 
   b.command.Clear();
   b.wish(99);

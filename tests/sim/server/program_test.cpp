@@ -220,15 +220,28 @@ TEST(Program, SurvivesAFloodAndStillPlays) {
 
 TEST(CommandLine, HelpsAndRefuses) {
   EXPECT_THAT(shell("--help"), testing::AllOf(HasSubstr("--interface"), HasSubstr("exit 0")));
-  EXPECT_THAT(shell("--nonsense"),
-              testing::AllOf(HasSubstr("ssl-sim: "), HasSubstr("--nonsense"), HasSubstr("exit 2")));
-  EXPECT_THAT(shell("--realism perfect"), HasSubstr("known are none, friendly, measured, harsh\nexit 2"));
+  EXPECT_THAT(shell("--version"), testing::AllOf(testing::StartsWith("ssl-sim 0."), HasSubstr("exit 0")));
+  for (const char* flag : {"--durration", "--durration 5", "--durration=5", "--speed 2 --durration 5"}) {
+    EXPECT_EQ(shell(flag), "ssl-sim: unknown flag '--durration'; see ssl-sim --help\nexit 2");
+  }
+  EXPECT_THAT(shell("harsh"), testing::AllOf(HasSubstr("harsh"), HasSubstr("see ssl-sim --help\nexit 2")));
+  EXPECT_EQ(shell("--seed -1"),
+            "ssl-sim: --seed: -1: must be a whole number, 0 or more; see ssl-sim --help\nexit 2");
+  EXPECT_THAT(shell("--realism perfect"),
+              HasSubstr("known are none, friendly, measured, harsh, or a file that ends in .toml\nexit 2"));
   EXPECT_THAT(shell("--interface 192.0.2.1"), testing::AllOf(HasSubstr("192.0.2.1"), HasSubstr("exit 2")));
-  const UdpSocket taken = UdpSocket::server({loopback, 0});
-  const std::string port = std::to_string(taken.local().port);
-  EXPECT_EQ(shell("--control-port " + port), "ssl-sim: cannot listen on 127.0.0.1:" + port +
-                                                 ": Address already in use (choose with --control-port and "
-                                                 "--interface)\nexit 2");
+}
+
+TEST(CommandLine, NamesAllPortsThatAreTaken) {
+  const UdpSocket first = UdpSocket::server({loopback, 0});
+  const UdpSocket second = UdpSocket::server({loopback, 0});
+  const std::string control = "--control-port " + std::to_string(first.local().port);
+  const std::string yellow = "--yellow-port " + std::to_string(second.local().port);
+  EXPECT_EQ(
+      shell(control + " --blue-port 0 " + yellow),
+      "ssl-sim: already in use on 127.0.0.1: " + control + ", " + yellow +
+          "; choose other ports, and for a second ssl-sim also another --vision-port or --vision-address, "
+          "since the frames of both would mix\nexit 2");
 }
 
 TEST(CommandLine, EndsByItselfAndBySignal) {
