@@ -136,7 +136,8 @@ TEST_F(MatchdayProgram, RunsADesignPrintsItsTableAndReportsItAgain) {
   const Said report = matchday("report results/small");
   EXPECT_EQ(report.code, 0);
   EXPECT_THAT(run.text, HasSubstr(report.text));
-  EXPECT_THAT(matchday("report results/small --format csv").text, StartsWith("forfeits,condition,realism,games"));
+  EXPECT_THAT(matchday("report results/small --format csv").text,
+              StartsWith("forfeits,condition,realism,games"));
   EXPECT_EQ(matchday("report results/small --format xml").code, 2);
   const Said again = matchday("run good.toml --workers 2" + fake());
   EXPECT_EQ(again.code, 0);

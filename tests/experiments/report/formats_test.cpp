@@ -40,7 +40,7 @@ equal: no difference shown (p = 0.625)
   B theirs                              6     3     2     1   50.0 [18.8, 81.2]    1.50 ± 0.22      7.0
   A - B -0.50 ± 0.58 goals a game over 3 pairs, 60.0 stoppages a game
 
-hindered: A wins more games than it loses (p = 0.031)
+hindered (realism measured with radio.loss 0.2): A wins more games than it loses (p = 0.031)
   A ours                                6     6     0     0   100.0 [61.0, 100.0]  3.50 ± 0.22      4.0
   B theirs, 3 robots, speed 0.5         6     0     0     6   0.0 [0.0, 39.0]      1.00 ± 0.37      7.0
   A - B +2.50 ± 0.58 goals a game over 3 pairs, 60.0 stoppages a game
@@ -63,7 +63,8 @@ TEST(Text, FitsIntoATerminal) {
 TEST(Markdown, HasOneRowPerCondition) {
   const std::string text = as_markdown(example());
   EXPECT_THAT(text, HasSubstr("| equal | ours | theirs | 6 | 1 | 2 | 3 | 16.7 ["));
-  EXPECT_THAT(text, HasSubstr("| hindered | ours | theirs, 3 robots, speed 0.5 | 6 | 6 | 0 | 0 |"));
+  EXPECT_THAT(text, HasSubstr("| hindered, realism measured with radio.loss 0.2 | ours | theirs, 3 robots, "
+                              "speed 0.5 | 6 | 6 | 0 | 0 |"));
 }
 
 TEST(Csv, HasTheSameNumberOfCellsInEveryLine) {
