@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "autoref/detectors/detector.h"
@@ -11,6 +12,8 @@ namespace detectors {
 ///
 /// Rule    paper, Algorithm 3: nothing faster than V_b, V_r for one second; with the ball within
 ///         placement_tolerance of its place (I-16), counted from the entry into GAME_OFF (I-15).
+///         Something moves when both the filter and the mean over the last quarter of a second say so: the
+///         filter's word of one instant shakes by more than V_b and V_r when cameras are bad.
 /// Guard   min(time since something moved or the ball was not in place - settled_for, ...)  [s], or the whole
 /// wait -
 ///         settle_limit (I-17, "or after some time has passed").
@@ -33,9 +36,20 @@ class RobotsSettled final : public Detector {
   void reset() override {
     entered_.reset();
     start_.reset();
+    places_ = 0;
   }
 
  private:
+  static constexpr std::size_t window = 15;  // frames, a quarter of a second
+  static constexpr std::size_t robots = 2 * (world::max_robot_number + 1);
+  /// Where everything was in one frame.
+  struct Place {
+    world::Time time;
+    std::optional<world::Vector2d> ball;
+    std::array<std::optional<world::Vector2d>, robots> robot;
+  };
+
+  void remember(const world::TrackedFrame& frame);
   bool steady(const world::TrackedFrame& frame, const world::GameState& state) const;
 
   bool in_position(const world::TrackedFrame& frame, const world::GameState& state) const;
@@ -48,7 +62,9 @@ class RobotsSettled final : public Detector {
   world::Duration settled_for_;
   world::Duration limit_;
   std::optional<world::Time> entered_;
-  std::optional<world::Time> start_;  // the paper's s_start: when it was last not so
+  std::array<Place, window + 1> past_;  // a ring
+  std::size_t places_ = 0;              // remembered so far
+  std::optional<world::Time> start_;    // the paper's s_start: when it was last not so
 };
 
 }  // namespace detectors

@@ -214,10 +214,12 @@ TEST(RobotsSettled, NeedsOneQuietSecondAndTheBallInPlace) {
   int fired_at = -1;
   for (int i = 0; i < 400 && fired_at < 0; ++i) {
     TrackedFrame frame = frame_at(Time{i * 10ms}, i < 50 ? Vector2d{1.06, 1} : Vector2d{1.04, 1});
-    if (i == 100) frame.robots[0].velocity = {0.41, 0};
+    if (i > 60) frame.robots[0].position.x() += 0.41 * 0.01 * (std::min(i, 100) - 60);
+    if (i > 60 && i <= 100) frame.robots[0].velocity = {0.41, 0};
+    if (i == 120) frame.robots[0].velocity = {2, 0};  // what a filter says for an instant, and nothing moves
     if (!detector.update(frame, state).empty()) fired_at = i;
   }
-  EXPECT_EQ(fired_at, 200);  // one second after the robot moved in frame 100
+  EXPECT_EQ(fired_at, 200);  // one second after the robot last moved, in frame 100
 }
 
 TEST(RobotsSettled, GivesUpWaitingAfterFifteenSeconds) {
@@ -225,6 +227,7 @@ TEST(RobotsSettled, GivesUpWaitingAfterFifteenSeconds) {
   int fired_at = -1;
   for (int i = 0; i < 2000 && fired_at < 0; ++i) {
     TrackedFrame frame = frame_at(Time{i * 10ms}, {0, 0});
+    frame.robots[0].position.x() += 0.01 * i;
     frame.robots[0].velocity = {1, 0};
     const auto events = detector.update(frame, world::GameState{});
     if (events.empty()) continue;
