@@ -10,6 +10,7 @@ constexpr double likely = 0.1;  // a touch worth remembering; ours
 constexpr double sure = 0.5;    // a touch worth telling at once; ours
 constexpr double news = 0.05;   // change of a probability worth telling; ours
 
+constexpr double robot_height = 0.15;  // [m] laws of 2015, Law 4 (reference "requirements", R-3.2-1)
 constexpr world::Duration one_contact =
     std::chrono::milliseconds{100};  // a longer pause ends a contact; ours
 
@@ -35,7 +36,7 @@ void LastToucher::update(const world::TrackedFrame& frame, std::span<const world
     tell({}, out);
     return;
   }
-  if (!view) return;
+  if (!view || frame.ball->position.z() > robot_height) return;  // above everybody
   const Sighting& now = (*view)[0];
   if (!visit_ && now.gap < params_.visit) {
     visit_.emplace();

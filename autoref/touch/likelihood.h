@@ -12,8 +12,8 @@
 
 namespace touch {
 
-/// What is assumed of noise, contact and free motion: ours, set on simulated games (README). Halving or
-/// doubling any of them changes at most 3 of 670 exits, but for `prior`, `outlier_sigma` and `tangent`.
+/// What is assumed of noise, contact and free motion: ours, set on simulated games. What comes out hardly
+/// depends on them (README, Measured).
 struct LikelihoodParams {
   // Near or not.
   double visit = 0.1;  ///< [m] gap at which the ball is near robots, and farthest that one is asked about

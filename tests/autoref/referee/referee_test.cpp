@@ -5,6 +5,8 @@
 
 #include <chrono>
 
+#include "autoref/referee/explain.h"
+
 namespace referee {
 namespace {
 
@@ -211,6 +213,23 @@ TEST(Call, IsOneSentenceAPlayerUnderstands) {
       "free kick for blue from (1.20, 2.90) m");
   EXPECT_THAT(format_call(output.calls[0]), ::testing::HasSubstr("T11.7"));
   EXPECT_EQ(format_call(output.calls[0]).find('\n'), std::string::npos);
+}
+
+TEST(Describe, NamesTheProbabilityOfTheLastTouchAndItsRival) {
+  world::Touch touch;
+  touch.robot = {world::Team::Yellow, 4};
+  touch.time = world::tick_time(60);
+  const auto said = [&](double probability) {
+    touch.probability = probability;
+    return describe({world::tick_time(120), world::BallLeftFieldTouchLine{touch, {1, 3.02}}});
+  };
+  const std::string begin =
+      "ball left over the touch line at (1.00, 3.02) m, last touched by yellow 4 1.00 s earlier";
+  touch.rival = world::RobotId{world::Team::Blue, 2};
+  EXPECT_EQ(said(1), begin);  // of those who give none
+  EXPECT_EQ(said(0.97), begin + " (probability 0.97)");
+  EXPECT_EQ(said(0.9999), begin + " (probability 0.99)");  // never certain
+  EXPECT_EQ(said(0.6), begin + " (probability 0.60, else blue 2)");
 }
 
 }  // namespace
