@@ -44,6 +44,7 @@ struct PlayOptions {
   std::optional<std::filesystem::path> recording;
   std::filesystem::path team_logs;  ///< folder; empty: none
   bool json = false;                ///< the record instead of the text
+  bool explain = false;             ///< after each call its evidence, a line of JSON
 };
 /// One game, told as it happens.
 int play(const PlayOptions& options);
@@ -56,6 +57,7 @@ struct ContinueOptions {
   std::optional<std::filesystem::path> new_recording;
   std::filesystem::path team_logs;  ///< folder; empty: none
   bool json = false;
+  bool explain = false;
 };
 /// A recorded game again, up to a moment or to its end.
 int continue_game(const ContinueOptions& options);

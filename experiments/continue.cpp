@@ -50,7 +50,7 @@ int continue_game(const ContinueOptions& options) {
     throw std::invalid_argument("--record " + config.recording->string() +
                                 ": is the recording that is being played; give another file");
   }
-  return tell_one_game(config, options.json);
+  return tell_one_game(config, options.json, options.explain);
 }
 
 }  // namespace commands

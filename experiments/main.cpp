@@ -62,6 +62,8 @@ void add_play(CLI::App& main, commands::PlayOptions& options) {
   app.add_option("--record", options.recording, "keep the teams' replies in FILE, for `matchday continue`");
   app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
   app.add_flag("--json", options.json, "print configuration and record as JSON");
+  app.add_flag("--explain", options.explain,
+               "after each call a line of JSON: what was seen, thresholds, alternatives");
 }
 
 void add_continue(CLI::App& main, commands::ContinueOptions& options) {
@@ -76,6 +78,8 @@ void add_continue(CLI::App& main, commands::ContinueOptions& options) {
   app.add_option("--record", options.new_recording, "keep the replies of this game in another FILE");
   app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
   app.add_flag("--json", options.json, "print configuration and record as JSON");
+  app.add_flag("--explain", options.explain,
+               "after each call a line of JSON: what was seen, thresholds, alternatives");
 }
 
 void add_run(CLI::App& main, commands::RunOptions& options) {

@@ -11,7 +11,7 @@
 
 namespace commands {
 
-OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls) {
+OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls, bool explain) {
   OneGame game;
   runner::Signals signals;
   host::Options options;
@@ -20,9 +20,11 @@ OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls) {
     if (!game.signal) game.signal = signals.wait(std::chrono::milliseconds{0});
     return game.signal.has_value();
   };
+  options.explain = explain;
   if (calls != nullptr) {
     options.on_call = [calls](const record::CallEntry& call, const world::PerTeam<int>& score) {
       *calls << call_line(call, score) << std::endl;
+      if (!call.evidence.empty()) *calls << call.evidence << std::endl;
     };
   }
   game.record = host::play(config, options);

@@ -15,10 +15,10 @@ struct OneGame {
 };
 
 /// Plays it and tells every call as it happens; null: silent.
-OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls);
+OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls, bool explain = false);
 
 /// Checks the configuration, plays it and tells all of it, as text or JSON.
 /// @return  the exit code
-int tell_one_game(const record::MatchConfig& config, bool json);
+int tell_one_game(const record::MatchConfig& config, bool json, bool explain);
 
 }  // namespace commands

@@ -63,17 +63,17 @@ int play(const PlayOptions& options) {
   config.log = options.log;
   config.recording = options.recording;
   config.directory = options.team_logs;
-  return tell_one_game(config, options.json);
+  return tell_one_game(config, options.json, options.explain);
 }
 
-int tell_one_game(const record::MatchConfig& config, bool json) {
+int tell_one_game(const record::MatchConfig& config, bool json, bool explain) {
   host::check(config);
   check_output("--log", config.log, ".log");
   check_output("--record", config.recording, ".replies");
   if (!config.directory.empty()) std::filesystem::create_directories(config.directory);
 
   if (!json) tell_circumstances(config, std::cout);
-  const OneGame game = play_one_game(config, json ? nullptr : &std::cout);
+  const OneGame game = play_one_game(config, json ? nullptr : &std::cout, explain);
   if (json) {
     std::cout << "{\"config\":" << record::to_json(config) << ",\"record\":" << record::to_json(game.record)
               << "}\n";

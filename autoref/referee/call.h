@@ -22,6 +22,7 @@ struct Call {
   std::optional<world::RobotId> offender;   ///< who broke a rule, if anyone did
   world::Stage stage = world::Stage::PreFirst;  ///< after the call
   world::PerTeam<int> score{};                  ///< after the call
+  std::string evidence;  ///< the long record (evidence.h), one line of JSON; empty unless Setup::explain
 };
 
 /// One line without line break: match time as m:ss.mmm, row, command, score, sentence.

@@ -8,6 +8,7 @@
 
 #include "autoref/automaton/automaton.h"
 #include "autoref/automaton/interrupt.h"
+#include "autoref/referee/evidence.h"
 #include "autoref/referee/explain.h"
 #include "autoref/referee/overrule.h"
 #include "autoref/touch/touch_detector.h"
@@ -57,6 +58,8 @@ struct Referee::Inside {
   tracker::Tracker tracker;
   touch::TouchDetector touches;
   automaton::Automaton automaton;
+
+  Evidence evidence;  // fed only when it is asked for
 
   world::TrackedFrame frame;
   world::RefereeMessage message;
@@ -224,6 +227,7 @@ Output Referee::Inside::tick() {
   last_tick = frame.time;
   calls = std::exchange(early_calls, {});
 
+  if (setup.explain) evidence.remember(frame);
   hear_requests();
   for (const automaton::Transition& transition : automaton.update(frame, requests)) {
     const automaton::Row& row = *transition.row;
@@ -235,11 +239,20 @@ Output Referee::Inside::tick() {
       continue;
     }
     calls.push_back(explain(transition, setup.rules));
+    if (setup.explain) {
+      calls.back().evidence =
+          evidence.record(calls.back(), setup.rules, transition.before, automaton.occurrences());
+    }
     remember(transition, calls.back());
     if (std::exchange(status_is_special, false)) message.status = setup_text(setup);
   }
   for (const automaton::Occurrence& occurrence : automaton.occurrences()) {
-    if (auto noted = note(occurrence, automaton.state())) calls.push_back(std::move(*noted));
+    auto noted = note(occurrence, automaton.state());
+    if (!noted) continue;
+    if (setup.explain) {
+      noted->evidence = evidence.record(*noted, setup.rules, automaton.state(), automaton.occurrences());
+    }
+    calls.push_back(std::move(*noted));
   }
   forget_answered_requests();
   write_message();

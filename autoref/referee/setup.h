@@ -18,6 +18,7 @@ struct Setup {
   world::PerTeam<int> keeper{};  ///< robot numbers
   world::PerTeam<std::string> names{};
   world::PerTeam<int> robots{6, 6};  ///< allowed on the field before any card
+  bool explain = false;              ///< fill Call::evidence; changes no call
 };
 
 /// What a log must say beside the referee message's own fields so that the game can be refereed again:

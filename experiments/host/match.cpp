@@ -160,6 +160,7 @@ void Match::welcome(world::Team team, const wire::proto::TeamHello& hello) {
 void Match::create_referee() {
   referee::Setup setup;
   setup.rules = rules_of(config_);
+  setup.explain = options_.explain;
   setup.geometry = engine_.model().geometry;
   setup.blue_on_positive_half = config_.blue_on_positive_half;
   setup.first_kickoff = config_.first_kickoff;

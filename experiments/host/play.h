@@ -21,6 +21,8 @@ struct Options {
   std::chrono::milliseconds reply_deadline{5'000};     ///< wall, for each reply
   std::chrono::milliseconds stop_grace{1'000};         ///< between goodbye or TERM and KILL
 
+  bool explain = false;  ///< calls come with their evidence
+
   /// Asked once a simulated second and while waiting for a team; true ends the game as Interrupted.
   std::function<bool()> interrupted;
   /// Called with every entry of the timeline as it happens, together with the score after it.

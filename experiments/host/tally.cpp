@@ -56,6 +56,7 @@ void Tally::add(const referee::Call& call) {
   if (call.command) entry.command = command_text(*call.command);
   entry.restart = call.restart;
   entry.sentence = call.sentence;
+  entry.evidence = call.evidence;
 
   if (call.stops_play) ++counted_.calls[entry.event.empty() ? "Time" : entry.event];
   const bool noted = call.row == "note";

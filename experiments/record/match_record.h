@@ -50,6 +50,7 @@ struct CallEntry {
   std::string command;   ///< what was sent, "STOP", "INDIRECT yellow"; empty: nothing
   std::string restart;   ///< what the game restarts with; empty: nothing
   std::string sentence;  ///< all of it for a reader
+  std::string evidence;  ///< the long record as JSON, for printing only: not kept in any ledger
   bool operator==(const CallEntry&) const = default;
 };
 
