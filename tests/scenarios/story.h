@@ -106,7 +106,7 @@ class Story {
  private:
   struct Robot {
     world::RobotId id;
-    world::Vector2d place;
+    world::Vector2d place = world::Vector2d::Zero();
     world::Vector2d velocity = world::Vector2d::Zero();
     bool ball_in_reach = false;
     world::Vector2d heading{1, 0};   // a unit vector
