@@ -30,6 +30,15 @@ struct RealismOptions {
 /// @throws std::invalid_argument naming file, line, key and value
 record::RealismConfig realism_config(const RealismOptions& options);
 
+/// What of one game is told and kept.
+struct OutputOptions {
+  std::optional<std::filesystem::path> log;
+  std::optional<std::filesystem::path> recording;
+  std::filesystem::path team_logs;  ///< folder; empty: none
+  bool json = false;                ///< the record instead of the text
+  bool explain = false;             ///< after each call its evidence, a line of JSON
+};
+
 struct PlayOptions {
   TeamOptions blue;
   TeamOptions yellow;
@@ -40,11 +49,7 @@ struct PlayOptions {
   bool winner = false;
   bool blue_on_negative_half = false;
   bool blue_kicks_off = false;
-  std::optional<std::filesystem::path> log;
-  std::optional<std::filesystem::path> recording;
-  std::filesystem::path team_logs;  ///< folder; empty: none
-  bool json = false;                ///< the record instead of the text
-  bool explain = false;             ///< after each call its evidence, a line of JSON
+  OutputOptions output;
 };
 /// One game, told as it happens.
 int play(const PlayOptions& options);
@@ -53,11 +58,7 @@ struct ContinueOptions {
   std::filesystem::path recording;
   std::optional<double> from;  ///< [s] when live teams take over; nothing: the recorded ones play to the end
   std::string blue, yellow;    ///< commands; empty: the recorded ones
-  std::optional<std::filesystem::path> log;
-  std::optional<std::filesystem::path> new_recording;
-  std::filesystem::path team_logs;  ///< folder; empty: none
-  bool json = false;
-  bool explain = false;
+  OutputOptions output;
 };
 /// A recorded game again, up to a moment or to its end.
 int continue_game(const ContinueOptions& options);

@@ -42,15 +42,15 @@ int continue_game(const ContinueOptions& options) {
   } else if (!options.blue.empty() || !options.yellow.empty()) {
     throw std::invalid_argument("another team needs a moment to take over: add --from SECONDS");
   }
-  config.log = options.log;
-  config.recording = options.new_recording;
-  config.directory = options.team_logs;
+  config.log = options.output.log;
+  config.recording = options.output.recording;
+  config.directory = options.output.team_logs;
   if (config.recording && std::filesystem::weakly_canonical(*config.recording) ==
                               std::filesystem::weakly_canonical(options.recording)) {
     throw std::invalid_argument("--record " + config.recording->string() +
                                 ": is the recording that is being played; give another file");
   }
-  return tell_one_game(config, options.json, options.explain);
+  return tell_one_game(config, options.output.json, options.output.explain);
 }
 
 }  // namespace commands

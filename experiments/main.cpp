@@ -44,6 +44,16 @@ void add_realism(CLI::App& app, const std::string& flag, commands::RealismOption
       ->allow_extra_args(false);
 }
 
+void add_output(CLI::App& app, commands::OutputOptions& options) {
+  app.add_option("--log", options.log, "write the game as a league log, FILE.log or FILE.log.gz");
+  app.add_option("--record", options.recording,
+                 "keep the teams' replies in FILE.replies, for `matchday continue`");
+  app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
+  app.add_flag("--json", options.json, "print configuration and record as JSON");
+  app.add_flag("--explain", options.explain,
+               "after each call a line of JSON: what was seen, thresholds, alternatives");
+}
+
 void add_play(CLI::App& main, commands::PlayOptions& options) {
   CLI::App& app = *main.add_subcommand("play", "play one game and tell every call");
   add_team(app, "blue", options.blue);
@@ -58,12 +68,7 @@ void add_play(CLI::App& main, commands::PlayOptions& options) {
   app.add_flag("--winner", options.winner, "a draw is followed by extra time and a penalty shoot-out");
   app.add_flag("--blue-on-negative-half", options.blue_on_negative_half, "blue defends the goal at -x first");
   app.add_flag("--blue-kicks-off", options.blue_kicks_off, "blue has the first kickoff");
-  app.add_option("--log", options.log, "write the game as a league log, FILE.log or FILE.log.gz");
-  app.add_option("--record", options.recording, "keep the teams' replies in FILE, for `matchday continue`");
-  app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
-  app.add_flag("--json", options.json, "print configuration and record as JSON");
-  app.add_flag("--explain", options.explain,
-               "after each call a line of JSON: what was seen, thresholds, alternatives");
+  add_output(app, options.output);
 }
 
 void add_continue(CLI::App& main, commands::ContinueOptions& options) {
@@ -74,12 +79,7 @@ void add_continue(CLI::App& main, commands::ContinueOptions& options) {
       ->check(CLI::Range(0.0, 2400.0));
   app.add_option("--blue", options.blue, "another command for the blue team");
   app.add_option("--yellow", options.yellow, "another command for the yellow team");
-  app.add_option("--log", options.log, "write the game as a league log, FILE.log or FILE.log.gz");
-  app.add_option("--record", options.new_recording, "keep the replies of this game in another FILE");
-  app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
-  app.add_flag("--json", options.json, "print configuration and record as JSON");
-  app.add_flag("--explain", options.explain,
-               "after each call a line of JSON: what was seen, thresholds, alternatives");
+  add_output(app, options.output);
 }
 
 void add_run(CLI::App& main, commands::RunOptions& options) {

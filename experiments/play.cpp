@@ -60,10 +60,10 @@ int play(const PlayOptions& options) {
   config.winner = options.winner;
   config.blue_on_positive_half = !options.blue_on_negative_half;
   config.first_kickoff = options.blue_kicks_off ? world::Team::Blue : world::Team::Yellow;
-  config.log = options.log;
-  config.recording = options.recording;
-  config.directory = options.team_logs;
-  return tell_one_game(config, options.json, options.explain);
+  config.log = options.output.log;
+  config.recording = options.output.recording;
+  config.directory = options.output.team_logs;
+  return tell_one_game(config, options.output.json, options.output.explain);
 }
 
 int tell_one_game(const record::MatchConfig& config, bool json, bool explain) {

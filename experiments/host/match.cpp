@@ -107,6 +107,10 @@ record::MatchRecord Match::run() {
   } catch (const RecordingEnded&) {
     record.termination = Termination::Interrupted;
     record.reason = recorded_->cut() ? "the recording is cut off here" : "the recording ends here";
+  } catch (const RecordingDiffers& differs) {
+    record.termination = Termination::HarnessFault;
+    record.at_fault = record::Party::Harness;
+    record.reason = differs.sentence;
   } catch (const Overlong&) {
     record.termination = Termination::Overlong;
     record.reason =
@@ -260,10 +264,10 @@ bool Match::replay_replies() {
   const wire::proto::Tick* tick = recorded_->replies(engine_.tick());
   if (tick == nullptr) return false;
   if (tick->has_hash() && tick->hash() != hash_.digits()) {
-    throw std::runtime_error(
+    throw RecordingDiffers{
         config_.continuation->recording.string() + ": the game goes differently at tick " +
         std::to_string(engine_.tick()) +
-        ": it was recorded by another build of matchday, on another kind of processor, or is damaged");
+        ": it was recorded by another build of matchday, on another kind of processor, or is damaged"};
   }
   if (tick->has_new_yellow()) hellos_.yellow = tick->new_yellow();
   if (tick->has_new_blue()) hellos_.blue = tick->new_blue();

@@ -42,6 +42,9 @@ class Match {
   struct Interrupted {};
   struct Overlong {};
   struct RecordingEnded {};
+  struct RecordingDiffers {
+    std::string sentence;
+  };
 
   void start_teams();
   void greet_teams();
