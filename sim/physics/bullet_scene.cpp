@@ -252,7 +252,7 @@ void BulletScene::set_ball_restitution(bool at_dribbler) {
 }
 
 void BulletScene::step(double duration, std::vector<BallContact>& ball_contacts) {
-  world_.stepSimulation(f(duration), 0);
+  world_.step(f(duration));
   read_contacts(ball_contacts);
 }
 

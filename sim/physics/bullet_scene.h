@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/physics/bullet_world.h"
 #include "sim/physics/fixtures.h"
 #include "sim/physics/params.h"
 #include "sim/physics/state.h"
@@ -76,7 +77,7 @@ class BulletScene {
   btCollisionDispatcher dispatcher_;
   btAxisSweep3 broadphase_;
   btSequentialImpulseConstraintSolver solver_;
-  btDiscreteDynamicsWorld world_;
+  BulletWorld world_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;  // fixtures, ball, robots
   std::vector<btRigidBody*> robots_;
