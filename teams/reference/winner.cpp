@@ -71,7 +71,7 @@ skills::Order Winner::play(const kit::View& view, const Situation& situation, co
   if (rules.must_kick) {
     order = free_kick(view, robot);
   } else if (holds_) {
-    order = with_ball(view, robot, parameters);
+    order = with_ball(view, situation, robot, parameters);
   } else {
     order = fetch(view, situation, robot, rules, parameters);
   }
@@ -99,11 +99,11 @@ skills::Order Winner::free_kick(const kit::View& view, const kit::Robot& robot) 
   return order;
 }
 
-skills::Order Winner::with_ball(const kit::View& view, const kit::Robot& robot,
+skills::Order Winner::with_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot,
                                 const Parameters& parameters) {
   redirect_.reset();
   const Hold hold{*hold_start_, view.time - holding_since_};
-  const WithBall what = choose_with_ball(view, robot, *choice_, hold, parameters);
+  const WithBall what = choose_with_ball(view, robot, *choice_, hold, situation.their_time, parameters);
   if (what == WithBall::Release) {
     if (view.time - released_at_ > go_round_for) released_at_ = view.time;
     return order_with_ball(view, robot, what, *choice_, hold, view.time - released_at_, parameters);
@@ -123,7 +123,7 @@ skills::Order Winner::fetch(const kit::View& view, const Situation& situation, c
   // It rests or rolls slowly. Round it only when there is time or little to round.
   const Kick& kick = *choice_;
   const double off = std::abs(world::wrap_angle(world::angle_of(to_ball) - kick.direction));
-  const bool time_to_round = situation.their_time > situation.meetings[robot.number].time + 0.3 + 0.5 * off;
+  const bool time_to_round = situation.their_time > situation.meetings[robot.number].time + 0.25 + 0.3 * off;
   const bool just_released = view.time - released_at_ < go_round_for;
   if (just_released || (kick.kind != Kick::Kind::Dribble && (off < 0.5 || time_to_round))) {
     const double speed = kick.kind == Kick::Kind::Dribble ? 0 : kick.speed;

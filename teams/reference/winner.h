@@ -25,7 +25,8 @@ class Winner {
               const Parameters& parameters);
   void watch_the_hold(const kit::View& view, const kit::Robot& robot);
   skills::Order free_kick(const kit::View& view, const kit::Robot& robot) const;
-  skills::Order with_ball(const kit::View& view, const kit::Robot& robot, const Parameters& parameters);
+  skills::Order with_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot,
+                          const Parameters& parameters);
   skills::Order fetch(const kit::View& view, const Situation& situation, const kit::Robot& robot,
                       KickRules rules, const Parameters& parameters);
   skills::Order let_come(const kit::View& view, const Situation& situation, const kit::Robot& robot,

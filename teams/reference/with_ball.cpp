@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "teams/skills/aim.h"
 #include "teams/skills/ball_handling.h"
 #include "teams/skills/turn_dribble.h"
 
@@ -25,6 +26,15 @@ bool is_pressed(const kit::View& view) {
 // Kicks ahead from here would go towards our own goal.
 bool looks_home(const kit::View& view, const kit::Robot& robot) {
   return world::direction(robot.orientation).x() < -0.2 && view.ball.position.x() < 0;
+}
+
+// Looks into the opening to their goal, from not too far.
+bool shoots_ahead(const kit::View& view, const kit::Robot& robot, const Parameters& parameters) {
+  const Vector2d ball = view.ball.position;
+  if ((view.their_goal() - ball).norm() > 4) return false;  // [m] ours
+  const skills::Opening opening =
+      skills::opening_to_goal(view, ball, parameters.shot_speed, robot.number, robot.orientation);
+  return std::abs(world::wrap_angle(opening.direction - robot.orientation)) < 0.5 * opening.width;
 }
 
 }  // namespace
@@ -56,14 +66,18 @@ double time_to_align(const kit::View& view, const kit::Robot& robot, double dire
 }
 
 WithBall choose_with_ball(const kit::View& view, const kit::Robot& robot, const Kick& kick, const Hold& hold,
-                          const Parameters& parameters) {
+                          double their_time, const Parameters& parameters) {
   if (hold.time < settle) return WithBall::Settle;
   const double carried = (view.ball.position - hold.start).norm();
   const double error = std::abs(world::wrap_angle(kick.direction - robot.orientation));
   const bool far = carried > parameters.dribble_distance;
   const bool too_long = hold.time > longest_hold;
-  const bool hopeless = error > aligned && is_pressed(view) &&
-                        hold.time + time_to_align(view, robot, kick.direction, parameters) > longest_pressed;
+  // Sheltered by the turning robot the ball may be kept under pressure for a while; let go of it must be safe
+  // until the robot has gone round.
+  const double align = time_to_align(view, robot, kick.direction, parameters);
+  const bool hopeless =
+      error > aligned && (parameters.turn_dribble ? is_pressed(view) && hold.time + align > longest_pressed
+                                                  : their_time < align);
   if (far || too_long || hopeless) {
     if (!looks_home(view, robot)) return WithBall::KickAhead;
     if (far || too_long || !parameters.turn_dribble) return WithBall::Release;
@@ -96,7 +110,8 @@ skills::Order order_with_ball(const kit::View& view, const kit::Robot& robot, Wi
       return order;
     }
     case WithBall::KickAhead:
-      return skills::kick_ahead(view, robot, 2.5);
+      return skills::kick_ahead(view, robot,
+                                shoots_ahead(view, robot, parameters) ? parameters.shot_speed : 2.5);
     case WithBall::Align:
     case WithBall::Turn:
       break;

@@ -25,8 +25,9 @@ const char* name(WithBall what);
 /// Feature D, `--turn-dribble`: on turns with the ball, off releases it and goes round. Nothing else differs.
 ///
 /// Source  reference "football", 2.10: from 12 degrees on; a dribble ends after `dribble_distance`
+/// @param their_time  [s] until the first opponent is at the ball
 WithBall choose_with_ball(const kit::View& view, const kit::Robot& robot, const Kick& kick, const Hold& hold,
-                          const Parameters& parameters);
+                          double their_time, const Parameters& parameters);
 
 /// How long until a kick along `direction`, the ball being at the dribbler [s]: turning or going round.
 double time_to_align(const kit::View& view, const kit::Robot& robot, double direction,

@@ -28,7 +28,9 @@ std::optional<Meeting> arrival(const kit::View& view, const kit::Robot& robot, c
   if (!ball.flies && ahead > 0 && std::abs(from_ball.dot(left_of(along))) < on_its_line) {
     const double way = std::max(ahead - contact, 0.0);
     const double time = model.time_to_cover(speed, ball.rolls_below, way);
-    if (std::isfinite(time)) return Meeting{ball.position + along * way, time, true};
+    // A slow ball that needs long is gone to meet: others want it too.
+    const bool soon = time < 0.4 || speed > 3.0;
+    if (soon && std::isfinite(time)) return Meeting{ball.position + along * way, time, true};
   }
   const Meeting meeting = meet(view, robot, driving_limits(robot.specs), model, contact, 0.1);
   if (!meeting.before_it_stops) return {};

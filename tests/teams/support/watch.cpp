@@ -26,6 +26,13 @@ support::Side side(const std::string& name, bool tracing_notes) {
   s.make = [tracing_notes](const kit::Setup& setup) {
     return std::make_unique<reference::ReferenceTeam>(setup, reference::Parameters{}, tracing_notes);
   };
+  if (name == "off") {
+    s.make = [tracing_notes](const kit::Setup& setup) {
+      reference::Parameters parameters;
+      parameters.turn_dribble = false;
+      return std::make_unique<reference::ReferenceTeam>(setup, parameters, tracing_notes);
+    };
+  }
   if (name == "three") s.robots = {0, 1, 2};
   if (name == "half") s.speed_factor = 0.5;
   return s;
