@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "teams/kit/flags.h"
 
 namespace reference {
@@ -10,7 +12,9 @@ struct Parameters {
   double shot_speed =
       6.5;  ///< [m/s] the laws allow 8; the robot's own speed and the filter's noise come on top
   double shot_threshold = 0.14;   ///< chance of a goal from which a shot is taken at once
-  double pass_threshold = 0.25;   ///< value from which a pass is played
+  double shot_bonus = 0.2;        ///< value of a shot beyond its chance, against passes
+  double pass_threshold = 0.2;    ///< value from which a pass is played
+  std::string attack = "zones";   ///< feature Z, zones or greedy: how supporters choose their places
   double stop_speed = 1.4;        ///< [m/s] during STOP; the laws allow 1.5
   double stop_distance = 0.6;     ///< [m] hull to ball during STOP and their kicks; the laws ask 0.5
   double dribble_distance = 0.7;  ///< [m] then the ball is let go; the laws allow 1.0

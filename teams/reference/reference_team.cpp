@@ -44,12 +44,12 @@ void ReferenceTeam::play(const kit::View& real, world::TeamCommands& out) {
   std::optional<int> receiver;
   if (game.phase == Phase::Running) receiver = winner_.receiver(view);
   roles_ = assign_roles(view, situation, roles_, shape, receiver);
-  defenders_ = supports_ = 0;
+  defenders_ = 0;
   for (const kit::Robot& robot : view.own) {
     defenders_ += roles_.of(robot.number) == Role::Defender;
-    supports_ += roles_.of(robot.number) == Role::Support;
   }
 
+  supports_tactic_.think(view, situation, roles_, parameters_);
   for (const kit::Robot& robot : view.own) {
     skills::Order& order = orders_[robot.number];
     order = order_for(view, situation, robot);
@@ -83,7 +83,7 @@ skills::Order ReferenceTeam::order_for(const kit::View& view, const Situation& s
     case Role::Support:
       order = game.forbidden == robot.number && game.phase == Phase::Running
                   ? leave_ball(view, robot)
-                  : supports_tactic_.play(view, situation, robot, roles_.index[robot.number], supports_);
+                  : supports_tactic_.play(view, robot);
       break;
     case Role::Defender:
       order = game.forbidden == robot.number && game.phase == Phase::Running
@@ -129,18 +129,21 @@ skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation
   if (is_dead(game.phase) || (game.phase != Phase::Running && !game.ours)) {
     return block_the_ball(view, robot, parameters_);
   }
+  KickRules rules;
+  rules.targets = supports_tactic_.targets();
   switch (game.phase) {
     case Phase::PrepareKickoff:
     case Phase::PreparePenalty:
       return wait_behind_ball(view, robot);
     case Phase::Kickoff:
-      return take_kickoff(view, situation, robot);
+      rules.must_kick = true;
+      rules.must_go_forward = true;
+      return winner_.play(view, situation, robot, rules, parameters_);
     case Phase::Penalty:
       return take_penalty(view, robot, parameters_);
     case Phase::DirectFree:
     case Phase::IndirectFree: {
       if (game.age < parameters_.kick_delay) return wait_behind_ball(view, robot);
-      KickRules rules;
       rules.must_kick = true;
       rules.shot_allowed = game.phase == Phase::DirectFree;
       return winner_.play(view, situation, robot, rules, parameters_);
@@ -159,7 +162,6 @@ skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation
     order.heading = world::angle_of(view.ball.position - robot.position);
     return order;
   }
-  KickRules rules;
   rules.shot_allowed = !game.indirect;
   return winner_.play(view, situation, robot, rules, parameters_);
 }

@@ -41,7 +41,6 @@ class ReferenceTeam final : public kit::Team {
   Observer observer_;
   Roles roles_;
   int defenders_ = 0;
-  int supports_ = 0;
   Winner winner_;
   Supports supports_tactic_;
   skills::Steering steering_;

@@ -43,7 +43,7 @@ std::optional<int> Winner::receiver(const kit::View& view) {
 }
 
 void Winner::choose(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                    KickRules rules, const Parameters& parameters) {
+                    const KickRules& rules, const Parameters& parameters) {
   if (robot_ != robot.number) {
     robot_ = robot.number;
     choice_.reset();
@@ -56,7 +56,7 @@ void Winner::choose(const kit::View& view, const Situation& situation, const kit
 }
 
 skills::Order Winner::play(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                           KickRules rules, const Parameters& parameters) {
+                           const KickRules& rules, const Parameters& parameters) {
   choose(view, situation, robot, rules, parameters);
   const kit::Ball& ball = view.ball;
   const bool holds = kit::holds_ball(robot, ball, view.field().ball_radius);

@@ -12,7 +12,7 @@ namespace reference {
 class Winner {
  public:
   skills::Order play(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                     KickRules rules, const Parameters& parameters);
+                     const KickRules& rules, const Parameters& parameters);
 
   /// The team-mate a pass is on its way to, as long as it may arrive.
   std::optional<int> receiver(const kit::View& view);
@@ -21,8 +21,8 @@ class Winner {
   void forget() { choice_.reset(), pass_.reset(), dribble_start_.reset(), robot_ = -1; }
 
  private:
-  void choose(const kit::View& view, const Situation& situation, const kit::Robot& robot, KickRules rules,
-              const Parameters& parameters);
+  void choose(const kit::View& view, const Situation& situation, const kit::Robot& robot,
+              const KickRules& rules, const Parameters& parameters);
   skills::Order with_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot,
                           const Parameters& parameters);
 
