@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 
 #include "teams/kit/team.h"
@@ -14,12 +15,18 @@
 
 namespace reference {
 
+/// Changes an order after everything else was decided: how another team is made of this one.
+using Revise = std::function<void(const kit::View&, const kit::Robot&, const Roles&, skills::Order&)>;
+
 /// The reference team: observes, gives out roles, lets each tactic say an order, makes it legal for the phase
 /// of the game, and steers.
 class ReferenceTeam final : public kit::Team {
  public:
   ReferenceTeam(const kit::Setup& setup, const Parameters& parameters, bool notes = false)
       : setup_(setup), parameters_(parameters), notes_(notes) {}
+
+  /// From now on every order passes through `revise` before steering.
+  void revise_orders(Revise revise) { revise_ = std::move(revise); }
 
   void play(const kit::View& view, world::TeamCommands& out) override;
   std::string_view note() const override { return note_; }
@@ -31,7 +38,10 @@ class ReferenceTeam final : public kit::Team {
   const Telemetry::Counts& counts() const { return telemetry_.counts(); }
 
  private:
+  void notice_phase(const kit::View& view);
+  void give_out_roles(const kit::View& view, const Situation& situation);
   skills::Order order_for(const kit::View& view, const Situation& situation, const kit::Robot& robot);
+  skills::Order goalie_order(const kit::View& view, const Situation& situation, const kit::Robot& robot);
   skills::Order winner_order(const kit::View& view, const Situation& situation, const kit::Robot& robot);
   const kit::View& with_ball_in_place(const kit::View& view);
   void hold_place(const kit::View& view, const kit::Robot& robot, skills::Order& order);
@@ -40,10 +50,10 @@ class ReferenceTeam final : public kit::Team {
   kit::Setup setup_;
   Parameters parameters_;
   bool notes_;
+  Revise revise_;
 
   Observer observer_;
   Roles roles_;
-  int defenders_ = 0;
   Winner winner_;
   Supports supports_tactic_;
   Telemetry telemetry_;
