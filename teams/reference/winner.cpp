@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "teams/reference/reception.h"
 #include "teams/reference/with_ball.h"
 #include "teams/skills/aim.h"
 #include "teams/skills/ball_handling.h"
@@ -32,7 +33,7 @@ std::optional<int> Winner::receiver(const kit::View& view) {
 }
 
 void Winner::choose(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                    KickRules rules, const Parameters& parameters) {
+                    const KickRules& rules, const Parameters& parameters) {
   if (robot_ != robot.number) {
     robot_ = robot.number;
     choice_.reset();
@@ -64,7 +65,7 @@ void Winner::watch_the_hold(const kit::View& view, const kit::Robot& robot) {
 }
 
 skills::Order Winner::play(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                           KickRules rules, const Parameters& parameters) {
+                           const KickRules& rules, const Parameters& parameters) {
   choose(view, situation, robot, rules, parameters);
   watch_the_hold(view, robot);
   skills::Order order;
@@ -112,7 +113,7 @@ skills::Order Winner::with_ball(const kit::View& view, const Situation& situatio
 }
 
 skills::Order Winner::fetch(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                            KickRules rules, const Parameters& parameters) {
+                            const KickRules& rules, const Parameters& parameters) {
   const kit::Ball& ball = view.ball;
   const Vector2d to_ball = ball.position - robot.position;
   if (skills::is_at_wall(view)) return skills::free_from_wall(view, robot);
@@ -134,7 +135,7 @@ skills::Order Winner::fetch(const kit::View& view, const Situation& situation, c
 
 // A ball that comes: on with one touch when that is a shot, else it is stopped.
 skills::Order Winner::let_come(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                               KickRules rules, const Parameters& parameters) {
+                               const KickRules& rules, const Parameters& parameters) {
   const std::optional<skills::Meeting> meeting = skills::arrival(view, robot, situation.model);
   if (!meeting) redirect_.reset();
   if (meeting && rules.shot_allowed && view.time - redirect_chosen_at_ >= rethink) {
@@ -156,7 +157,7 @@ std::optional<Kick> choose_one_touch(const kit::View& view, const kit::Robot& ro
   const skills::Opening opening =
       skills::opening_to_goal(view, meeting.position, parameters.shot_speed, robot.number, aimed);
   const double distance = (view.their_goal() - meeting.position).norm();
-  const double chance = std::min(1.0, opening.width / 0.3) * std::clamp((5.5 - distance) / 2.0, 0.0, 1.0);
+  const double chance = goal_chance(opening.width, distance);
   if (chance < parameters.shot_threshold + (before ? -0.05 : 0.05)) return {};
   const double steepest = skills::steepest_redirect + (before ? 0.1 : 0.0);
   if (skills::redirect_angle(view.ball.velocity, opening.direction) > steepest) return {};

@@ -12,25 +12,26 @@ namespace reference {
 class Winner {
  public:
   skills::Order play(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                     KickRules rules, const Parameters& parameters);
+                     const KickRules& rules, const Parameters& parameters);
 
   /// The team-mate a pass is on its way to, as long as it may arrive.
   std::optional<int> receiver(const kit::View& view);
 
-  const std::optional<Kick>& choice() const { return choice_; }
+  /// What it is about to do: the one touch under way, else the choice.
+  const std::optional<Kick>& choice() const { return redirect_ ? redirect_ : choice_; }
   void forget() { choice_.reset(), pass_.reset(), hold_start_.reset(), redirect_.reset(), robot_ = -1; }
 
  private:
-  void choose(const kit::View& view, const Situation& situation, const kit::Robot& robot, KickRules rules,
-              const Parameters& parameters);
+  void choose(const kit::View& view, const Situation& situation, const kit::Robot& robot,
+              const KickRules& rules, const Parameters& parameters);
   void watch_the_hold(const kit::View& view, const kit::Robot& robot);
   skills::Order free_kick(const kit::View& view, const kit::Robot& robot) const;
   skills::Order with_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot,
                           const Parameters& parameters);
   skills::Order fetch(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                      KickRules rules, const Parameters& parameters);
+                      const KickRules& rules, const Parameters& parameters);
   skills::Order let_come(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                         KickRules rules, const Parameters& parameters);
+                         const KickRules& rules, const Parameters& parameters);
 
   struct PassUnderWay {
     int receiver = -1;
