@@ -29,6 +29,7 @@ void ReferenceTeam::play(const kit::View& real, world::TeamCommands& out) {
   notice_phase(view);
   const Situation& situation = observer_.observe(view);
   give_out_roles(view, situation);
+  supports_tactic_.think(view, situation, roles_, parameters_);
   for (const kit::Robot& robot : view.own) {
     skills::Order& order = orders_[robot.number];
     order = order_for(view, situation, robot);
@@ -38,6 +39,11 @@ void ReferenceTeam::play(const kit::View& real, world::TeamCommands& out) {
     if (revise_) revise_(view, robot, roles_, order);
     out.push_back(steering_.command(real, robot, order));
   }
+  std::optional<Kick> kicked;
+  if (roles_.winner >= 0 && orders_[static_cast<std::size_t>(roles_.winner)].kick_speed > 0) {
+    kicked = winner_.choice();
+  }
+  telemetry_.update(view, situation, roles_, supports_tactic_.partition(), kicked);
   if (notes_) write_note(view, situation);
 }
 
@@ -62,8 +68,6 @@ void ReferenceTeam::give_out_roles(const kit::View& view, const Situation& situa
   std::optional<int> receiver;
   if (game.phase == Phase::Running) receiver = winner_.receiver(view);
   roles_ = assign_roles(view, situation, roles_, shape, receiver);
-  supports_ = 0;
-  for (const kit::Robot& robot : view.own) supports_ += roles_.of(robot.number) == Role::Support;
 }
 
 // While the ball is dead it is going to be placed: everything is planned for where it will lie.
@@ -86,7 +90,7 @@ skills::Order ReferenceTeam::order_for(const kit::View& view, const Situation& s
       return winner_order(view, situation, robot);
     case Role::Support:
       if (must_leave) return leave_ball(view, robot);
-      return supports_tactic_.play(view, situation, robot, roles_.index[robot.number], supports_);
+      return supports_tactic_.play(view, robot);
     case Role::Defender: {
       if (must_leave) return leave_ball(view, robot);
       const auto task = static_cast<std::size_t>(roles_.index[robot.number]);
@@ -122,18 +126,21 @@ skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation
   if (is_dead(game.phase) || (game.phase != Phase::Running && !game.ours)) {
     return block_the_ball(view, robot, parameters_);
   }
+  KickRules rules;
+  rules.targets = supports_tactic_.targets();
   switch (game.phase) {
     case Phase::PrepareKickoff:
     case Phase::PreparePenalty:
       return wait_behind_ball(view, robot);
     case Phase::Kickoff:
-      return take_kickoff(view, situation, robot);
+      rules.must_kick = true;
+      rules.must_go_forward = true;
+      return winner_.play(view, situation, robot, rules, parameters_);
     case Phase::Penalty:
       return take_penalty(view, robot, parameters_);
     case Phase::DirectFree:
     case Phase::IndirectFree: {
       if (game.age < parameters_.kick_delay) return wait_behind_ball(view, robot);
-      KickRules rules;
       rules.must_kick = true;
       rules.shot_allowed = game.phase == Phase::DirectFree;
       return winner_.play(view, situation, robot, rules, parameters_);
@@ -152,7 +159,6 @@ skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation
     order.heading = world::angle_of(view.ball.position - robot.position);
     return order;
   }
-  KickRules rules;
   rules.shot_allowed = !game.indirect;
   return winner_.play(view, situation, robot, rules, parameters_);
 }

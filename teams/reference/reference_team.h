@@ -9,6 +9,7 @@
 #include "teams/reference/roles.h"
 #include "teams/reference/situation.h"
 #include "teams/reference/support.h"
+#include "teams/reference/telemetry.h"
 #include "teams/reference/winner.h"
 #include "teams/skills/steer.h"
 
@@ -29,10 +30,12 @@ class ReferenceTeam final : public kit::Team {
 
   void play(const kit::View& view, world::TeamCommands& out) override;
   std::string_view note() const override { return note_; }
+  std::string summary() const override { return telemetry_.summary(); }
 
   /// The order of one robot in this tick; for tests and notes.
   const skills::Order& order_of(int number) const { return orders_[static_cast<std::size_t>(number)]; }
   const Roles& roles() const { return roles_; }
+  const Telemetry::Counts& counts() const { return telemetry_.counts(); }
 
  private:
   void notice_phase(const kit::View& view);
@@ -52,9 +55,9 @@ class ReferenceTeam final : public kit::Team {
 
   Observer observer_;
   Roles roles_;
-  int supports_ = 0;
   Winner winner_;
   Supports supports_tactic_;
+  Telemetry telemetry_;
   skills::Steering steering_;
   kit::View dead_ball_view_;
   std::array<skills::Order, world::max_robot_number + 1> orders_;

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "teams/skills/aim.h"
+#include "teams/reference/set_play.h"
 #include "teams/skills/ball_handling.h"
-#include "teams/skills/pass.h"
 
 namespace reference {
 
@@ -31,26 +30,9 @@ skills::Order wait_behind_ball(const kit::View& view, const kit::Robot& robot) {
   return order;
 }
 
-skills::Order take_kickoff(const kit::View& view, const Situation& situation, const kit::Robot& robot) {
-  const Vector2d ball = view.ball.position;
-  Vector2d target = ball + Vector2d(1.4, 1.9);
-  const Vector2d other = ball + Vector2d(1.4, -1.9);
-  const double speed = situation.model.kick_speed_for((target - ball).norm(), 0.8);
-  if (skills::pass_safety(view, situation.model, ball, other, speed) >
-      skills::pass_safety(view, situation.model, ball, target, speed) + 0.02) {
-    target = other;
-  }
-  skills::Order order =
-      skills::approach_and_kick(view, robot, world::angle_of(target - ball), speed, 0, 0.12);
-  order.why = "kickoff";
-  return order;
-}
-
 skills::Order take_penalty(const kit::View& view, const kit::Robot& robot, const Parameters& parameters) {
-  const skills::Opening opening =
-      skills::opening_to_goal(view, view.ball.position, parameters.shot_speed, robot.number);
   skills::Order order =
-      skills::approach_and_kick(view, robot, opening.direction, parameters.shot_speed, 0, 0.04);
+      skills::approach_and_kick(view, robot, penalty_direction(view), parameters.shot_speed, 0, 0.04);
   order.why = "penalty";
   return order;
 }

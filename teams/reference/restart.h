@@ -15,10 +15,7 @@ skills::Order block_the_ball(const kit::View& view, const kit::Robot& robot, con
 /// Our kicker while the kickoff or penalty is prepared: behind the ball, not touching it.
 skills::Order wait_behind_ball(const kit::View& view, const kit::Robot& robot);
 
-/// Our kickoff: a ball into the half of theirs where fewer of them are, for our runners.
-skills::Order take_kickoff(const kit::View& view, const Situation& situation, const kit::Robot& robot);
-
-/// Our penalty: at the side of the goal the goalie leaves freer.
+/// Our penalty: beside the post the goalie is farther from.
 skills::Order take_penalty(const kit::View& view, const kit::Robot& robot, const Parameters& parameters);
 
 /// Our goalie against their penalty: on the line until the ball moves, a little towards where the kicker
