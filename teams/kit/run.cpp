@@ -35,6 +35,7 @@ int run(int argc, char** argv, Info info, const MakeTeam& make_team) {
       }
       channel.write(session.answer(*payload));
     }
+    if (const std::string summary = session.summary(); !summary.empty()) std::cout << summary << "\n";
     return 0;
   } catch (const std::exception& error) {
     std::cerr << info.name << ": " << error.what() << "\n";

@@ -38,6 +38,8 @@ class Session {
 
   bool over() const { return over_; }
   const std::string& goodbye_reason() const { return reason_; }
+  /// What the team says about its game; empty before a hello.
+  std::string summary() const { return team_ ? team_->summary() : std::string{}; }
 
  private:
   struct Messages;  // protobuf objects and buffers, used again every tick

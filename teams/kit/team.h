@@ -32,6 +32,8 @@ class Team {
   virtual int keeper(const Setup& setup) const;
   /// What it was thinking, for the game's log (with --notes on).
   virtual std::string_view note() const { return {}; }
+  /// One line about the whole game for the team's own log, asked for at its end; empty: nothing to say.
+  virtual std::string summary() const { return {}; }
 };
 
 }  // namespace kit

@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "teams/reference/reception.h"
 #include "teams/skills/aim.h"
+#include "teams/skills/motion.h"
 #include "teams/skills/pass.h"
 
 namespace reference {
 namespace {
-
-// From farther than this [m] a shot is no threat: the goalie has all the time (ours).
-constexpr double far_shot = 5.5;
-
-double chance_of_goal(const skills::Opening& opening, double distance) {
-  const double far = std::clamp((far_shot - distance) / 2.0, 0.0, 1.0);
-  return std::min(1.0, opening.width / 0.3) * far;  // 0.3 rad: reference "football", 2.5
-}
 
 // A kick that only has to be away: upfield, where the opponents leave most room and the ball stays on the
 // field.
@@ -64,60 +58,92 @@ const char* name(Kick::Kind kind) {
   return "unknown";
 }
 
-double value_at(const kit::View& view, const Vector2d& point, int shooter) {
-  const double distance = (view.their_goal() - point).norm();
-  double shot = 0;
-  if (distance < far_shot) {
-    shot = chance_of_goal(skills::opening_to_goal(view, point, 6.5, shooter), distance);
-  }
-  const double up = std::clamp((point.x() + view.field().half_length()) / view.field().length, 0.0, 1.0);
-  return 0.7 * shot + 0.3 * up;
+namespace {
+
+constexpr double keep = 0.05;  // of value, in favour of the choice before
+
+std::optional<Kick> shot(const kit::View& view, int kicker, const Parameters& parameters,
+                         const std::optional<Kick>& before) {
+  const Vector2d ball = view.ball.position;
+  std::optional<double> aimed;
+  if (before && before->kind == Kick::Kind::Shot) aimed = before->direction;
+  const skills::Opening opening = skills::opening_to_goal(view, ball, parameters.shot_speed, kicker, aimed);
+  const double chance = goal_chance(opening.width, (view.their_goal() - ball).norm());
+  const double bonus = aimed ? keep : 0;
+  if (chance + bonus <= parameters.shot_threshold) return {};
+  Kick kick;
+  kick.kind = Kick::Kind::Shot;
+  kick.target = opening.target;
+  kick.direction = opening.direction;
+  kick.speed = parameters.shot_speed;
+  kick.tolerance = skills::kick_tolerance(opening.width);
+  // A shot now is worth more than the same later.
+  kick.value = parameters.shot_bonus + (1 - parameters.shot_bonus) * chance + bonus;
+  return kick;
 }
 
-Kick choose_kick(const kit::View& view, const Situation& situation, int kicker, KickRules rules,
-                 const Parameters& parameters, const std::optional<Kick>& before) {
+// The pass to one point, flat, or chipped where the ground line is blocked.
+std::optional<Kick> pass_to(const kit::View& view, const Situation& situation, const kit::Robot& kicker,
+                            const kit::Robot& mate, const Vector2d& target, const KickRules& rules) {
   const Vector2d ball = view.ball.position;
-  const double keep = 0.05;  // in favour of the choice before
-
-  Kick best;
-  best.value = -1;
-
-  if (rules.shot_allowed) {
-    std::optional<double> aimed;
-    if (before && before->kind == Kick::Kind::Shot) aimed = before->direction;
-    const skills::Opening opening = skills::opening_to_goal(view, ball, parameters.shot_speed, kicker, aimed);
-    const double chance = chance_of_goal(opening, (view.their_goal() - ball).norm());
-    const double bonus = aimed ? keep : 0;
-    if (chance + bonus > parameters.shot_threshold) {
-      best.kind = Kick::Kind::Shot;
-      best.target = opening.target;
-      best.direction = opening.direction;
-      best.speed = parameters.shot_speed;
-      best.tolerance = skills::kick_tolerance(opening.width);
-      best.value = 0.3 + 0.7 * chance + bonus;  // a shot now is worth more than the same later
+  const double length = (target - ball).norm();
+  if (length < 0.8 || length > 7.0) return {};
+  if (rules.must_go_forward && target.x() < ball.x() + 0.2) return {};
+  // Across the own goal is how games are lost.
+  if (target.x() < -2.5 && ball.x() > target.x()) return {};
+  Reception reception = reception_at(view, situation.model, ball, target, mate.number);
+  Kick kick;
+  kick.kind = Kick::Kind::Pass;
+  kick.target = target;
+  kick.direction = world::angle_of(target - ball);
+  kick.receiver = mate.number;
+  kick.tolerance = std::clamp(0.12 / length, 0.03, 0.12);
+  kick.speed = reception.speed;
+  if (reception.safety < 0.5) {
+    if (const auto chip = skills::plan_chip(view, situation.model, ball, target)) {
+      const double safety = 0.7 * chip->safety;  // a hopping ball is harder to take (ours)
+      if (safety > reception.safety) {
+        reception.safety = safety;
+        reception.ball_time = chip->time;
+        kick.speed = chip->speed;
+        kick.angle = chip->angle;
+      }
     }
   }
+  const double turn = std::abs(world::wrap_angle(kick.direction - kicker.orientation));
+  const double kick_time = situation.meetings[kicker.number].time + 0.1 + turn / 5.0;  // [rad/s] of a turn
+  const double own =
+      skills::travel_time(target - mate.position, mate.velocity, skills::driving_limits(mate.specs));
+  kick.value = reception.value() * reach_chance(own, kick_time + reception.ball_time);
+  return kick;
+}
 
+}  // namespace
+
+Kick choose_kick(const kit::View& view, const Situation& situation, int kicker_number, const KickRules& rules,
+                 const Parameters& parameters, const std::optional<Kick>& before) {
+  const Vector2d ball = view.ball.position;
+  Kick best;
+  best.value = -1;
+  if (rules.shot_allowed) {
+    if (const auto kick = shot(view, kicker_number, parameters, before)) best = *kick;
+  }
+  const double threshold = rules.must_kick ? 0.04 : parameters.pass_threshold;
+  const kit::Robot* kicker = kit::find(view.own, kicker_number);
   for (const kit::Robot& mate : view.own) {
-    if (mate.number == kicker || mate.number == view.game.own_keeper) continue;
-    // Lead the receiver a little, and towards their goal.
-    const Vector2d target = mate.position + 0.3 * mate.velocity + Vector2d(0.1, 0);
-    const double length = (target - ball).norm();
-    if (length < 0.8 || length > 6.0) continue;
-    if (rules.must_go_forward && target.x() < ball.x() + 0.2) continue;
-    // Across the own goal is how games are lost.
-    if (target.x() < -2.5 && ball.x() > target.x()) continue;
-    const skills::Pass pass = skills::plan_pass(view, situation.model, ball, target);
+    if (kicker == nullptr || mate.number == kicker_number || mate.number == view.game.own_keeper) continue;
+    const auto given =
+        std::find_if(rules.targets.begin(), rules.targets.end(),
+                     [&mate](const PassTarget& target) { return target.receiver == mate.number; });
+    // Without a place of its own: where it is going, and a little towards their goal.
+    const Vector2d target = given != rules.targets.end()
+                                ? given->point
+                                : Vector2d(mate.position + 0.3 * mate.velocity + Vector2d(0.1, 0));
+    auto kick = pass_to(view, situation, *kicker, mate, target, rules);
+    if (!kick) continue;
     const bool kept = before && before->kind == Kick::Kind::Pass && before->receiver == mate.number;
-    const double value = pass.safety * value_at(view, target, mate.number) + (kept ? keep : 0);
-    if (value <= best.value || value < (rules.must_kick ? 0.04 : parameters.pass_threshold)) continue;
-    best.kind = Kick::Kind::Pass;
-    best.target = target;
-    best.direction = world::angle_of(target - ball);
-    best.speed = pass.speed;
-    best.tolerance = std::clamp(0.12 / length, 0.03, 0.12);
-    best.receiver = mate.number;
-    best.value = value;
+    if (kept) kick->value += keep;
+    if (kick->value > best.value && kick->value >= threshold) best = *kick;
   }
   if (best.value > 0) return best;
 
@@ -131,7 +157,28 @@ Kick choose_kick(const kit::View& view, const Situation& situation, int kicker, 
     carry.value = 0;
     return carry;
   }
-  return clearance(view, situation, kicker, ball.x() > -2);
+  return clearance(view, situation, kicker_number, ball.x() > -2);
+}
+
+std::optional<Kick> choose_redirect(const kit::View& view, const Situation& situation, int receiver,
+                                    const KickRules& rules, const Parameters& parameters) {
+  const double speed = view.ball.velocity.norm();
+  if (!rules.shot_allowed || speed < 1.0) return {};
+  const Vector2d point = situation.meetings[static_cast<std::size_t>(receiver)].position;
+  const Vector2d back = -view.ball.velocity / speed;
+  const skills::Opening opening = skills::opening_to_goal(view, point, parameters.shot_speed, receiver);
+  const double turn = std::abs(world::wrap_angle(opening.direction - world::angle_of(back)));
+  if (turn > most_deflection) return {};
+  const double chance = goal_chance(opening.width, (view.their_goal() - point).norm());
+  if (chance <= parameters.shot_threshold) return {};
+  Kick kick;
+  kick.kind = Kick::Kind::Shot;
+  kick.target = opening.target;
+  kick.direction = opening.direction;
+  kick.speed = parameters.shot_speed;
+  kick.tolerance = skills::kick_tolerance(opening.width);
+  kick.value = chance;
+  return kick;
 }
 
 }  // namespace reference

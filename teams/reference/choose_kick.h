@@ -10,6 +10,12 @@ namespace reference {
 
 using world::Vector2d;
 
+/// Where a pass to a team-mate may go.
+struct PassTarget {
+  int receiver = -1;
+  Vector2d point = Vector2d::Zero();  ///< [m]
+};
+
 /// What to do with the ball.
 struct Kick {
   enum class Kind : std::uint8_t { Shot, Pass, Clear, Dribble };
@@ -24,21 +30,28 @@ struct Kick {
 };
 const char* name(Kick::Kind kind);
 
-/// What a kick may be now: rules of the restart.
+/// What a kick may be now: rules of the restart, and where passes may go.
 struct KickRules {
   bool shot_allowed = true;      ///< false: an indirect kick
   bool must_go_forward = false;  ///< a kickoff
   bool must_kick = false;        ///< a restart: no dribbling
+  /// Points for the receivers; a team-mate without one may get the ball where it is.
+  std::span<const PassTarget> targets{};
 };
 
 /// The best use of the ball where it lies: a shot when the opening promises a goal, else the best pass, else
 /// forward with the ball; from near the own goal away with it.
 ///
 /// @param before  the choice of the tick before: kept unless another is better by 0.05
-Kick choose_kick(const kit::View& view, const Situation& situation, int kicker, KickRules rules,
+Kick choose_kick(const kit::View& view, const Situation& situation, int kicker, const KickRules& rules,
                  const Parameters& parameters, const std::optional<Kick>& before);
 
-/// What the ball is worth to us at a point [0..1]: the chance of a shot from there, and being farther up.
-double value_at(const kit::View& view, const Vector2d& point, int shooter);
+/// For the robot a moving ball comes to: a shot at the first touch, when the opening from the meeting point
+/// promises a goal and the ball need not be deflected by more than 60 degrees.
+///
+/// @return  nothing: stop the ball first
+/// Source   reference "football", 2.4 (one-touch) and 2.6
+std::optional<Kick> choose_redirect(const kit::View& view, const Situation& situation, int receiver,
+                                    const KickRules& rules, const Parameters& parameters);
 
 }  // namespace reference

@@ -5,6 +5,12 @@
 #include <cmath>
 
 namespace reference {
+namespace {
+
+constexpr double farthest_mark = 1.0;  // [m] opponents beyond are no threat yet (ours)
+constexpr double keeps_mark = 0.2;     // [s] reference "football", 2.7
+
+}  // namespace
 
 Vector2d wall_position(const kit::View& view, int index, int count) {
   const world::Field& field = view.field();
@@ -46,52 +52,72 @@ Vector2d mark_position(const kit::View& view, const kit::Robot& opponent) {
   return position + 0.4 * (0.75 * to_goal + 0.25 * to_ball);
 }
 
-skills::Order play_defender(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                            int index, int count) {
-  skills::Order order;
-  order.heading = world::angle_of(view.ball.position - robot.position);
-  order.ball_distance = 0.1;
+DefensePlan plan_defense(const kit::View& view, const Situation& situation, int defenders,
+                         const DefensePlan& before) {
+  DefensePlan plan;
+  const auto wanted = std::min(static_cast<std::size_t>(std::max(defenders, 0)), plan.tasks.size());
+  // One man in the wall while the ball is far and few are there to mark, else two; the rest marks.
+  const bool one = defenders == 1 || (defenders == 2 && view.ball.position.x() > 0);
+  const int wall = defenders <= 0 ? 0 : one ? 1 : 2;
+  for (int i = 0; i < wall; ++i) plan.tasks[plan.count++] = {DefenseTask::Kind::Wall, i, wall, -1};
 
-  // One man in the wall for three, two above; the rest marks.
-  const int wall = count <= 1 ? 1 : count == 2 ? (view.ball.position.x() < 0 ? 2 : 1) : 2;
-  const int markers = count - wall;
-  // The side of the ball builds the wall, the far side marks.
-  // -0.15: not at the centre line, where the ball lies still at kickoffs and noise would decide.
-  const bool ball_left = view.ball.position.y() > -0.15;
-  const int from_ball_side = ball_left ? count - 1 - index : index;
-  if (from_ball_side < wall || markers <= 0) {
-    order.why = "wall";
-    const int place = ball_left ? wall - 1 - from_ball_side : from_ball_side;
-    order.target = wall_position(view, place, wall);
-    return order;
-  }
   // The worst threats in order, but for the one at the ball.
   struct Threat {
     double time = 0;
-    const kit::Robot* robot = nullptr;
+    int number = -1;
   };
   std::array<Threat, 16> threats;
   std::size_t found = 0;
   for (const kit::Robot& opponent : view.opponents) {
     if (opponent.number == situation.their_first || opponent.number == view.game.their_keeper) continue;
-    if (opponent.position.x() > 1.0 || found == threats.size()) continue;
-    threats[found++] = {threat_time(view, opponent), &opponent};
+    if (opponent.position.x() > farthest_mark || found == threats.size()) continue;
+    double time = threat_time(view, opponent);
+    for (std::size_t i = 0; i < before.count; ++i) {
+      if (before.tasks[i].opponent == opponent.number) time -= keeps_mark;
+    }
+    threats[found++] = {time, opponent.number};
   }
   std::sort(threats.begin(), threats.begin() + static_cast<std::ptrdiff_t>(found),
-            [](const auto& a, const auto& b) {
-              return a.time != b.time ? a.time < b.time : a.robot->number < b.robot->number;
+            [](const Threat& a, const Threat& b) {
+              return a.time != b.time ? a.time < b.time : a.number < b.number;
             });
-  const auto rank = static_cast<std::size_t>(from_ball_side - wall);
-  if (rank < found) {
-    order.why = "mark";
-    order.target = mark_position(view, *threats[rank].robot);
-    return order;
+  for (std::size_t i = 0; i < found && plan.count < wanted; ++i) {
+    plan.tasks[plan.count++] = {DefenseTask::Kind::Mark, 0, 1, threats[i].number};
   }
-  order.why = "cover";
-  // Nobody to mark: in front of the middle, ready for the second ball.
-  order.target = 0.5 * (view.own_goal() + view.ball.position);
-  order.target.x() = std::min(order.target.x(), -1.0);
-  order.target.y() *= 0.5;
+  for (int place = 0; plan.count < wanted; ++place) {
+    plan.tasks[plan.count++] = {DefenseTask::Kind::Cover, place, 1, -1};
+  }
+  return plan;
+}
+
+Vector2d task_position(const kit::View& view, const DefenseTask& task) {
+  if (task.kind == DefenseTask::Kind::Wall) return wall_position(view, task.place, task.of);
+  if (const kit::Robot* opponent = kit::find(view.opponents, task.opponent)) {
+    return mark_position(view, *opponent);
+  }
+  // Nobody to mark: in front of the middle, ready for the second ball; the second one farther up.
+  Vector2d place = 0.5 * (view.own_goal() + view.ball.position);
+  place.x() = std::min(place.x(), -1.0) + 0.8 * task.place;
+  place.y() *= 0.5;
+  return place;
+}
+
+skills::Order play_defender(const kit::View& view, const kit::Robot& robot, const DefenseTask& task) {
+  skills::Order order;
+  order.heading = world::angle_of(view.ball.position - robot.position);
+  order.ball_distance = 0.1;
+  order.target = task_position(view, task);
+  switch (task.kind) {
+    case DefenseTask::Kind::Wall:
+      order.why = "wall";
+      break;
+    case DefenseTask::Kind::Mark:
+      order.why = "mark";
+      break;
+    case DefenseTask::Kind::Cover:
+      order.why = "cover";
+      break;
+  }
   return order;
 }
 

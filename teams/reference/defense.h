@@ -1,11 +1,41 @@
 #pragma once
 
+#include <array>
+
 #include "teams/reference/situation.h"
 #include "teams/skills/order.h"
 
 namespace reference {
 
 using world::Vector2d;
+
+/// One place in the defence.
+struct DefenseTask {
+  enum class Kind : std::uint8_t { Wall, Mark, Cover };
+  Kind kind = Kind::Wall;
+  int place = 0;      ///< Wall: from the right of a robot that looks at the ball; Cover: counts up
+  int of = 1;         ///< Wall: robots in it
+  int opponent = -1;  ///< Mark: its number
+
+  friend bool operator==(const DefenseTask&, const DefenseTask&) = default;
+};
+
+/// Who is marked and how many stand in the wall; the places themselves follow the ball every tick.
+struct DefensePlan {
+  std::array<DefenseTask, 16> tasks;
+  std::size_t count = 0;
+};
+
+/// A wall first (one robot for one or two defenders with the ball far away, else two), then the worst threats
+/// each get a marker, 0.2 s in favour of those marked before; who is left covers the middle.
+DefensePlan plan_defense(const kit::View& view, const Situation& situation, int defenders,
+                         const DefensePlan& before);
+
+/// Where the robot with that task belongs now [m].
+Vector2d task_position(const kit::View& view, const DefenseTask& task);
+
+/// The order of the robot that has the task.
+skills::Order play_defender(const kit::View& view, const kit::Robot& robot, const DefenseTask& task);
 
 /// A place in the wall: on the line from the ball to our goal just outside the defense area, `index` of
 /// `count` robots side by side.
@@ -19,11 +49,5 @@ double threat_time(const kit::View& view, const kit::Robot& opponent);
 
 /// Between the opponent and our goal, near enough to cut the pass.
 Vector2d mark_position(const kit::View& view, const kit::Robot& opponent);
-
-/// Defenders: the first ones form the wall while the ball is dangerous, the others mark the worst threats.
-///
-/// @param index, count  of the defenders, from the right (-y) to the left
-skills::Order play_defender(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                            int index, int count);
 
 }  // namespace reference

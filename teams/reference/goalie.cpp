@@ -6,12 +6,17 @@
 #include "teams/skills/aim.h"
 #include "teams/skills/ball_handling.h"
 #include "teams/skills/motion.h"
+#include "teams/skills/pass.h"
+#include "teams/skills/turn_dribble.h"
 
 namespace reference {
 namespace {
 
+constexpr double safe_pass = 0.75;      // [0..1] from which a clearance is a pass (ours)
+constexpr double clearing_speed = 4.2;  // [m/s] a chip at 45 degrees: 1.8 m through the air; more rolls off
+
 // The ball rolls towards our goal mouth: where its line crosses the goal line, or nothing.
-std::optional<Vector2d> threatens(const kit::View& view, const Situation& situation) {
+std::optional<Vector2d> shot_crossing(const kit::View& view, const Situation& situation) {
   const kit::Ball& ball = view.ball;
   const double speed = ball.velocity.norm();
   if (speed < 0.5 || ball.velocity.x() > -0.2) return {};
@@ -81,26 +86,50 @@ Vector2d guard_position(const kit::View& view, const kit::Robot& robot) {
   return place;
 }
 
-skills::Order play_goalie(const kit::View& view, const Situation& situation, const kit::Robot& robot) {
-  const kit::Ball& ball = view.ball;
-  const world::Field& field = view.field();
-  skills::Order order;
-  order.enter_own_area = true;
-  order.robot_margin = 0.0;
-  order.heading = world::angle_of(ball.position - robot.position);
-
-  if (const auto crossing = threatens(view, situation)) {
-    order.why = "save";
-    order.target = save_position(view, situation, robot, *crossing);
-    order.heading = world::angle_of(-ball.velocity);
-    order.dribble = true;
-    return order;
+bool goes_out(const kit::View& view, const Situation& situation, const kit::Robot& robot) {
+  constexpr double before_them = 0.1;  // [s] reference "football", 2.7
+  constexpr double farthest = 1.5;     // [m] from the area (ours)
+  const skills::Meeting& own = situation.meetings[robot.number];
+  const double away = world::distance_to_defense_area(view.field(), world::Side::Negative, own.position);
+  if (away > farthest || own.time > situation.their_time - before_them) return false;
+  for (const kit::Robot& mate : view.own) {
+    if (mate.number != robot.number && situation.meetings[mate.number].time < own.time + 0.3) return false;
   }
-  const double in_area = world::distance_to_defense_area(field, world::Side::Negative, ball.position);
-  const bool slow = ball.velocity.norm() < 1.0;
-  const bool playable = view.game.phase == kit::Phase::Running && view.game.forbidden != robot.number;
-  if (playable && slow && in_area < 0.1 && world::distance_outside_lines(field, ball.position) < 0) {
-    // Away with it, to the side where nobody stands.
+  // Only when they come alone for it; a free ball far from everybody is the field players' business.
+  return situation.their_time < 2.0;
+}
+
+bool may_leave_goal(const kit::View& view, const Situation& situation, const kit::Robot& robot) {
+  if (view.game.forbidden == robot.number || shot_crossing(view, situation)) return false;
+  const skills::Meeting& own = situation.meetings[robot.number];
+  // A lost ball costs the way back: 0.2 s near the goal, 0.15 s more for every metre (ours).
+  const double needed = 0.2 + 0.15 * (own.position - view.own_goal()).norm();
+  return own.time + needed < situation.their_time ||
+         kit::holds_ball(robot, view.ball, view.field().ball_radius);
+}
+
+skills::Order clear_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot) {
+  const kit::Ball& ball = view.ball;
+  // To a free mate when that is safe.
+  const kit::Robot* receiver = nullptr;
+  skills::Pass pass;
+  pass.safety = safe_pass;
+  for (const kit::Robot& mate : view.own) {
+    const Vector2d to = mate.position - ball.position;
+    if (mate.number == robot.number || to.norm() < 1.2 || to.norm() > 5.0 || to.x() < 0.3) continue;
+    const skills::Pass candidate = skills::plan_pass(view, situation.model, ball.position, mate.position);
+    if (candidate.safety > pass.safety) {
+      pass = candidate;
+      receiver = &mate;
+    }
+  }
+  double direction = 0, speed = 0, angle = 0, tolerance = 0.3;
+  if (receiver != nullptr) {
+    direction = world::angle_of(pass.target - ball.position);
+    speed = pass.speed;
+    tolerance = 0.05;
+  } else {
+    // Away with it over their heads, to the side where nobody stands.
     std::array<skills::Blocker, 24> blockers;
     std::size_t count = 0;
     for (const auto* robots : {&view.own, &view.opponents}) {
@@ -113,11 +142,41 @@ skills::Order play_goalie(const kit::View& view, const Situation& situation, con
         ball.position,
         {ball.position + 3 * world::direction(-1.0), ball.position + 3 * world::direction(1.0)},
         std::span(blockers.data(), count));
-    const bool holds = kit::holds_ball(robot, ball, field.ball_radius);
-    order = holds ? skills::turn_and_kick(view, robot, opening.direction, 5.0, 0, 0.3)
-                  : skills::approach_and_kick(view, robot, opening.direction, 5.0, 0, 0.3);
-    order.enter_own_area = true;
-    order.why = "clear";
+    direction = opening.direction;
+    speed = clearing_speed;
+    angle = M_PI / 4;
+  }
+  const bool holds = kit::holds_ball(robot, ball, view.field().ball_radius);
+  skills::Order order = holds ? skills::turn_and_kick(view, robot, direction, speed, angle, tolerance)
+                              : skills::approach_and_kick(view, robot, direction, speed, angle, tolerance);
+  order.enter_own_area = true;
+  order.why = receiver != nullptr ? "pass out" : "clear";
+  return order;
+}
+
+skills::Order play_goalie(const kit::View& view, const Situation& situation, const kit::Robot& robot) {
+  const kit::Ball& ball = view.ball;
+  const world::Field& field = view.field();
+  skills::Order order;
+  order.enter_own_area = true;
+  order.robot_margin = 0.0;
+  order.heading = world::angle_of(ball.position - robot.position);
+
+  if (const auto crossing = shot_crossing(view, situation)) {
+    order.why = "save";
+    order.target = save_position(view, situation, robot, *crossing);
+    order.heading = world::angle_of(-ball.velocity);
+    order.dribble = true;
+    return order;
+  }
+  const bool playable = view.game.phase == kit::Phase::Running && view.game.forbidden != robot.number &&
+                        world::distance_outside_lines(field, ball.position) < 0;
+  const bool slow = ball.velocity.norm() < 1.0;
+  const double in_area = world::distance_to_defense_area(field, world::Side::Negative, ball.position);
+  if (playable && slow && in_area < 0.1) return clear_ball(view, situation, robot);
+  if (playable && slow && goes_out(view, situation, robot)) {
+    order = clear_ball(view, situation, robot);
+    order.why = "go out";
     return order;
   }
   order.why = "guard";

@@ -1,10 +1,12 @@
 #include "teams/reference/reference_team.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "teams/reference/defense.h"
 #include "teams/reference/goalie.h"
+#include "teams/reference/legal.h"
 #include "teams/reference/restart.h"
 
 namespace reference {
@@ -12,30 +14,52 @@ namespace {
 
 using kit::Phase;
 
-bool is_dead(Phase phase) { return phase == Phase::Stop || phase == Phase::Timeout || phase == Phase::Halt; }
-
-bool is_kickoff(Phase phase) { return phase == Phase::PrepareKickoff || phase == Phase::Kickoff; }
-
-bool is_penalty(Phase phase) { return phase == Phase::PreparePenalty || phase == Phase::Penalty; }
-
 // Places are chosen for this long, then only walked to [s].
 constexpr double choose_places_for = 1.5;
+
+// Nobody waits for us to find better ones: the referee waits until everyone is at rest.
+bool holds_places(Phase phase) {
+  return is_dead(phase) || phase == Phase::PrepareKickoff || phase == Phase::PreparePenalty;
+}
 
 }  // namespace
 
 void ReferenceTeam::play(const kit::View& real, world::TeamCommands& out) {
   const kit::View& view = with_ball_in_place(real);
-  const kit::Game& game = view.game;
-  const bool ball_jumped = (view.ball.position - phase_ball_).norm() > 0.3 && game.phase != Phase::Running;
-  if (game.phase != phase_ || ball_jumped) {
-    if (game.phase != phase_ || is_dead(game.phase)) places_.fill({});
-    phase_ = game.phase;
-    phase_began_ = view.time;
-    phase_ball_ = view.ball.position;
-    if (game.phase != Phase::Running) winner_.forget();
-  }
-
+  notice_phase(view);
   const Situation& situation = observer_.observe(view);
+  give_out_roles(view, situation);
+  supports_tactic_.think(view, situation, roles_, parameters_);
+  for (const kit::Robot& robot : view.own) {
+    skills::Order& order = orders_[robot.number];
+    order = order_for(view, situation, robot);
+    make_legal(real, robot, roles_, parameters_, order);
+    const bool kicker = roles_.winner == robot.number && view.game.ours;
+    if (holds_places(view.game.phase) && !kicker) hold_place(real, robot, order);
+    if (revise_) revise_(view, robot, roles_, order);
+    out.push_back(steering_.command(real, robot, order));
+  }
+  std::optional<Kick> kicked;
+  if (roles_.winner >= 0 && orders_[static_cast<std::size_t>(roles_.winner)].kick_speed > 0) {
+    kicked = winner_.choice();
+  }
+  telemetry_.update(view, situation, roles_, supports_tactic_.partition(), kicked);
+  if (notes_) write_note(view, situation);
+}
+
+void ReferenceTeam::notice_phase(const kit::View& view) {
+  const Phase phase = view.game.phase;
+  const bool ball_jumped = (view.ball.position - phase_ball_).norm() > 0.3 && phase != Phase::Running;
+  if (phase == phase_ && !ball_jumped) return;
+  if (phase != phase_ || is_dead(phase)) places_.fill({});
+  phase_ = phase;
+  phase_began_ = view.time;
+  phase_ball_ = view.ball.position;
+  if (phase != Phase::Running) winner_.forget();
+}
+
+void ReferenceTeam::give_out_roles(const kit::View& view, const Situation& situation) {
+  const kit::Game& game = view.game;
   Possession possession = situation.possession;
   if (game.phase != Phase::Running) possession = game.ours ? Possession::Ours : Possession::Theirs;
   if (is_dead(game.phase)) possession = Possession::Contested;
@@ -44,18 +68,6 @@ void ReferenceTeam::play(const kit::View& real, world::TeamCommands& out) {
   std::optional<int> receiver;
   if (game.phase == Phase::Running) receiver = winner_.receiver(view);
   roles_ = assign_roles(view, situation, roles_, shape, receiver);
-  defenders_ = supports_ = 0;
-  for (const kit::Robot& robot : view.own) {
-    defenders_ += roles_.of(robot.number) == Role::Defender;
-    supports_ += roles_.of(robot.number) == Role::Support;
-  }
-
-  for (const kit::Robot& robot : view.own) {
-    skills::Order& order = orders_[robot.number];
-    order = order_for(view, situation, robot);
-    out.push_back(steering_.command(real, robot, order));
-  }
-  if (notes_) write_note(view, situation);
 }
 
 // While the ball is dead it is going to be placed: everything is planned for where it will lie.
@@ -70,57 +82,42 @@ const kit::View& ReferenceTeam::with_ball_in_place(const kit::View& view) {
 
 skills::Order ReferenceTeam::order_for(const kit::View& view, const Situation& situation,
                                        const kit::Robot& robot) {
-  const kit::Game& game = view.game;
-  skills::Order order;
+  const bool must_leave = view.game.forbidden == robot.number && view.game.phase == Phase::Running;
   switch (roles_.of(robot.number)) {
     case Role::Goalie:
-      order = is_penalty(game.phase) && !game.ours ? face_penalty(view, robot)
-                                                   : play_goalie(view, situation, robot);
-      break;
+      return goalie_order(view, situation, robot);
     case Role::Winner:
-      order = winner_order(view, situation, robot);
-      break;
+      return winner_order(view, situation, robot);
     case Role::Support:
-      order = game.forbidden == robot.number && game.phase == Phase::Running
-                  ? leave_ball(view, robot)
-                  : supports_tactic_.play(view, situation, robot, roles_.index[robot.number], supports_);
-      break;
-    case Role::Defender:
-      order = game.forbidden == robot.number && game.phase == Phase::Running
-                  ? leave_ball(view, robot)
-                  : play_defender(view, situation, robot, roles_.index[robot.number], defenders_);
-      break;
+      if (must_leave) return leave_ball(view, robot);
+      return supports_tactic_.play(view, robot);
+    case Role::Defender: {
+      if (must_leave) return leave_ball(view, robot);
+      const auto task = static_cast<std::size_t>(roles_.index[robot.number]);
+      return play_defender(view, robot, roles_.defense.tasks[task]);
+    }
     case Role::None:
       break;
   }
+  return {};
+}
 
-  const bool kicker = roles_.winner == robot.number && game.ours;
-  const bool goalie = roles_.goalie == robot.number;
-  if (game.phase == Phase::Running) return order;
-  if (is_dead(game.phase)) {
-    // The ball on the centre mark: most likely a kickoff, so be at home already.
-    if (view.ball.position.norm() < 0.1 && !goalie) stay_in_own_half(robot, order);
-    keep_away(view, robot, parameters_, true, order);
-    hold_place(view, robot, order);
+skills::Order ReferenceTeam::goalie_order(const kit::View& view, const Situation& situation,
+                                          const kit::Robot& robot) {
+  const kit::Game& game = view.game;
+  const bool alone = roles_.winner == robot.number;
+  if (alone && game.ours && game.phase != Phase::Running) {
+    skills::Order order = winner_order(view, situation, robot);
+    order.enter_own_area = true;
     return order;
   }
-  if (is_kickoff(game.phase) && !(kicker && game.phase == Phase::Kickoff)) stay_in_own_half(robot, order);
-  if (is_penalty(game.phase) && !kicker && !goalie) stay_behind_penalty_line(view, robot, order);
-  if (kicker) {
-    // The penalty mark lies on the edge of their area; the kicker may go there (Law 9 speaks of team-mates).
-    order.their_area = is_penalty(game.phase) ? -0.3 : 0.25;
+  if (is_penalty(game.phase) && !game.ours) return face_penalty(view, robot);
+  if (alone && game.phase == Phase::Running && may_leave_goal(view, situation, robot)) {
+    skills::Order order = winner_order(view, situation, robot);
+    order.enter_own_area = true;
     return order;
   }
-  if (game.ours) {
-    order.ball_distance = std::max(order.ball_distance, 0.3);
-    order.their_area = 0.25;
-    order.kick_speed = 0;
-  } else if (!(goalie && is_penalty(game.phase))) {
-    keep_away(view, robot, parameters_, false, order);
-  }
-  if (game.phase == Phase::PrepareKickoff || game.phase == Phase::PreparePenalty)
-    hold_place(view, robot, order);
-  return order;
+  return play_goalie(view, situation, robot);
 }
 
 skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation& situation,
@@ -129,18 +126,21 @@ skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation
   if (is_dead(game.phase) || (game.phase != Phase::Running && !game.ours)) {
     return block_the_ball(view, robot, parameters_);
   }
+  KickRules rules;
+  rules.targets = supports_tactic_.targets();
   switch (game.phase) {
     case Phase::PrepareKickoff:
     case Phase::PreparePenalty:
       return wait_behind_ball(view, robot);
     case Phase::Kickoff:
-      return take_kickoff(view, situation, robot);
+      rules.must_kick = true;
+      rules.must_go_forward = true;
+      return winner_.play(view, situation, robot, rules, parameters_);
     case Phase::Penalty:
       return take_penalty(view, robot, parameters_);
     case Phase::DirectFree:
     case Phase::IndirectFree: {
       if (game.age < parameters_.kick_delay) return wait_behind_ball(view, robot);
-      KickRules rules;
       rules.must_kick = true;
       rules.shot_allowed = game.phase == Phase::DirectFree;
       return winner_.play(view, situation, robot, rules, parameters_);
@@ -159,7 +159,6 @@ skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation
     order.heading = world::angle_of(view.ball.position - robot.position);
     return order;
   }
-  KickRules rules;
   rules.shot_allowed = !game.indirect;
   return winner_.play(view, situation, robot, rules, parameters_);
 }
@@ -169,8 +168,34 @@ skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation
 void ReferenceTeam::hold_place(const kit::View& view, const kit::Robot& robot, skills::Order& order) {
   std::optional<Vector2d>& place = places_[robot.number];
   const bool still_choosing = view.time - phase_began_ < choose_places_for;
-  if (!place || (still_choosing && (order.target - *place).norm() > 0.3)) place = order.target;
+  if (!place || (still_choosing && (order.target - *place).norm() > 0.3)) {
+    place = place_apart(view, robot, order);
+  }
   order.target = *place;
+}
+
+// The order's target, or the nearest legal place beside it that no team-mate holds: two robots that want the
+// same place never come to rest.
+Vector2d ReferenceTeam::place_apart(const kit::View& view, const kit::Robot& robot,
+                                    const skills::Order& order) const {
+  const auto is_free = [&](const Vector2d& point) {
+    for (const kit::Robot& mate : view.own) {
+      const std::optional<Vector2d>& held = places_[mate.number];
+      if (mate.number == robot.number || !held) continue;
+      if ((*held - point).norm() < robot.specs.radius + mate.specs.radius + 0.06) return false;
+    }
+    return true;
+  };
+  if (is_free(order.target)) return order.target;
+  for (const double radius : {0.15, 0.3, 0.45}) {
+    for (int i = 0; i < 8; ++i) {
+      skills::Order beside = order;
+      beside.target += radius * world::direction(M_PI / 4 * i);
+      make_legal(view, robot, roles_, parameters_, beside);
+      if (is_free(beside.target)) return beside.target;
+    }
+  }
+  return order.target;
 }
 
 void ReferenceTeam::write_note(const kit::View& view, const Situation& situation) {

@@ -3,52 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "teams/skills/aim.h"
+#include "teams/reference/set_play.h"
 #include "teams/skills/ball_handling.h"
-#include "teams/skills/pass.h"
 
 namespace reference {
-namespace {
-
-// Out of a circle, towards where the point is anyway; towards our own goal from its centre.
-Vector2d moved_out(const Vector2d& point, const Vector2d& center, double radius, const Vector2d& own_goal) {
-  Vector2d out = point - center;
-  if (out.norm() >= radius) return point;
-  if (out.norm() < 0.05) out = own_goal - center;
-  return center + out.normalized() * radius;
-}
-
-}  // namespace
-
-void keep_away(const kit::View& view, const kit::Robot& robot, const Parameters& parameters, bool slow,
-               skills::Order& order) {
-  const double radius = robot.specs.radius + view.field().ball_radius + parameters.stop_distance + 0.02;
-  order.velocity.reset();
-  order.kick_speed = 0;
-  order.dribble = false;
-  order.ball_distance = parameters.stop_distance;
-  order.their_area = std::max(order.their_area, 0.25);
-  order.robot_margin = std::max(order.robot_margin, 0.03);
-  if (slow) order.max_speed = std::min(order.max_speed, parameters.stop_speed);
-  order.target = moved_out(order.target, view.ball.position, radius, view.own_goal());
-  if (view.game.designated_position) {
-    order.target = moved_out(order.target, *view.game.designated_position, radius, view.own_goal());
-  }
-}
-
-void stay_in_own_half(const kit::Robot& robot, skills::Order& order) {
-  order.target.x() = std::min(order.target.x(), -robot.specs.radius - 0.08);
-}
-
-void stay_behind_penalty_line(const kit::View& view, const kit::Robot& robot, skills::Order& order) {
-  const double mark = view.field().half_length() - view.field().penalty_mark_distance;
-  const double room = 0.4 + robot.specs.radius + 0.1;
-  if (view.game.ours) {
-    order.target.x() = std::min(order.target.x(), mark - room);
-  } else {
-    order.target.x() = std::max(order.target.x(), -mark + room);
-  }
-}
 
 skills::Order block_the_ball(const kit::View& view, const kit::Robot& robot, const Parameters& parameters) {
   skills::Order order;
@@ -72,26 +30,9 @@ skills::Order wait_behind_ball(const kit::View& view, const kit::Robot& robot) {
   return order;
 }
 
-skills::Order take_kickoff(const kit::View& view, const Situation& situation, const kit::Robot& robot) {
-  const Vector2d ball = view.ball.position;
-  Vector2d target = ball + Vector2d(1.4, 1.9);
-  const Vector2d other = ball + Vector2d(1.4, -1.9);
-  const double speed = situation.model.kick_speed_for((target - ball).norm(), 0.8);
-  if (skills::pass_safety(view, situation.model, ball, other, speed) >
-      skills::pass_safety(view, situation.model, ball, target, speed) + 0.02) {
-    target = other;
-  }
-  skills::Order order =
-      skills::approach_and_kick(view, robot, world::angle_of(target - ball), speed, 0, 0.12);
-  order.why = "kickoff";
-  return order;
-}
-
 skills::Order take_penalty(const kit::View& view, const kit::Robot& robot, const Parameters& parameters) {
-  const skills::Opening opening =
-      skills::opening_to_goal(view, view.ball.position, parameters.shot_speed, robot.number);
   skills::Order order =
-      skills::approach_and_kick(view, robot, opening.direction, parameters.shot_speed, 0, 0.04);
+      skills::approach_and_kick(view, robot, penalty_direction(view), parameters.shot_speed, 0, 0.04);
   order.why = "penalty";
   return order;
 }
@@ -100,8 +41,25 @@ skills::Order face_penalty(const kit::View& view, const kit::Robot& robot) {
   skills::Order order;
   order.why = "face penalty";
   order.enter_own_area = true;
-  order.target = view.own_goal() + Vector2d(0.02, 0);
+  const Vector2d goal = view.own_goal();
+  order.target = goal + Vector2d(0.02, 0);
   order.heading = world::angle_of(view.ball.position - robot.position);
+  // Their kicker: the nearest of them behind the ball.
+  const kit::Robot* kicker = nullptr;
+  for (const kit::Robot& other : view.opponents) {
+    const double gap = (other.position - view.ball.position).norm();
+    if (gap < 0.5 && (kicker == nullptr || gap < (kicker->position - view.ball.position).norm())) {
+      kicker = &other;
+    }
+  }
+  if (kicker == nullptr) return order;
+  const Vector2d looks = world::direction(kicker->orientation);
+  if (looks.x() > -0.5) return order;
+  // Half of the way there (ours): all of it would leave the other side to whoever looks away.
+  const double crossing =
+      view.ball.position.y() + looks.y() * (goal.x() - view.ball.position.x()) / looks.x();
+  const double most = view.field().goal_width / 2 - robot.specs.radius;
+  order.target.y() = std::clamp(0.5 * crossing, -most, most);
   return order;
 }
 

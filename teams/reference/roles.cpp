@@ -2,7 +2,111 @@
 
 #include <algorithm>
 
+#include "teams/reference/assignment.h"
+#include "teams/skills/motion.h"
+
 namespace reference {
+namespace {
+
+constexpr int plan_every = 6;            // ticks
+constexpr double keeps_task = 0.2;       // [s] reference "football", 2.7
+constexpr double keeps_ball = 0.15;      // [s] ours
+constexpr double keeps_kick = 1.5;       // [s] ours: who went to take or to block a kick does it
+constexpr double keeps_neighbour = 0.3;  // [m] ours
+
+bool same(const Formation& a, const Formation& b) {
+  return a.winners == b.winners && a.defenders == b.defenders && a.supports == b.supports;
+}
+
+int choose_winner(const kit::View& view, const Situation& situation, const Roles& roles, const Roles& before,
+                  std::optional<int> receiver) {
+  if (view.own.size() == 1) return roles.goalie;
+  int winner = -1;
+  double best = 1e9;
+  for (const kit::Robot& robot : view.own) {
+    if (robot.number == roles.goalie || view.game.forbidden == robot.number) continue;
+    double time = situation.meetings[robot.number].time;
+    if (before.winner == robot.number) {
+      time -= view.game.phase == kit::Phase::Running ? keeps_ball : keeps_kick;
+    }
+    if (kit::holds_ball(robot, view.ball, view.field().ball_radius)) time -= 0.5;
+    if (receiver == robot.number) time -= 5;
+    if (time < best) {
+      best = time;
+      winner = robot.number;
+    }
+  }
+  return winner;
+}
+
+// Everyone still has the role of the tick before, and nobody came or went.
+bool still_fits(const kit::View& view, const Roles& roles, const Roles& before) {
+  if (before.winner != roles.winner || before.goalie != roles.goalie ||
+      !same(before.formation, roles.formation)) {
+    return false;
+  }
+  int defenders = 0;
+  for (const kit::Robot& robot : view.own) {
+    if (before.of(robot.number) == Role::None) return false;
+    defenders += before.of(robot.number) == Role::Defender;
+  }
+  return defenders == static_cast<int>(before.defense.count);
+}
+
+void assign_defense(const kit::View& view, const Situation& situation, const Roles& before, Roles& roles) {
+  std::array<const kit::Robot*, most_to_assign> candidates{};
+  Costs costs;
+  for (const kit::Robot& robot : view.own) {
+    if (roles.role[robot.number] == Role::None && costs.robots < candidates.size()) {
+      candidates[costs.robots++] = &robot;
+    }
+  }
+  const auto wanted =
+      std::min(static_cast<std::size_t>(std::max(roles.formation.defenders, 0)), costs.robots);
+  roles.defense = plan_defense(view, situation, static_cast<int>(wanted), before.defense);
+  costs.tasks = roles.defense.count;
+  for (std::size_t task = 0; task < costs.tasks; ++task) {
+    const Vector2d place = task_position(view, roles.defense.tasks[task]);
+    for (std::size_t i = 0; i < costs.robots; ++i) {
+      const kit::Robot& robot = *candidates[i];
+      double time =
+          skills::travel_time(place - robot.position, robot.velocity, skills::driving_limits(robot.specs));
+      if (before.of(robot.number) == Role::Defender) {
+        const auto had = static_cast<std::size_t>(before.index[robot.number]);
+        if (had < before.defense.count && before.defense.tasks[had] == roles.defense.tasks[task]) {
+          time -= keeps_task;
+        }
+      }
+      costs.of[task][i] = time;
+    }
+  }
+  const auto robot_of = assign(costs);
+  for (std::size_t task = 0; task < costs.tasks; ++task) {
+    const int number = candidates[robot_of[task]]->number;
+    roles.role[static_cast<std::size_t>(number)] = Role::Defender;
+    roles.index[static_cast<std::size_t>(number)] = static_cast<int>(task);
+  }
+}
+
+// Neighbours keep their order: by y, so that they do not cross.
+void order_supports(const kit::View& view, const Roles& before, Roles& roles) {
+  for (const kit::Robot& robot : view.own) {
+    if (roles.of(robot.number) != Role::Support) continue;
+    int index = 0;
+    for (const kit::Robot& other : view.own) {
+      if (other.number == robot.number || roles.of(other.number) != Role::Support) continue;
+      // The number decides between equals.
+      double bias = other.number < robot.number ? -1e-9 : 1e-9;
+      if (before.of(other.number) == Role::Support && before.of(robot.number) == Role::Support) {
+        bias = before.index[other.number] < before.index[robot.number] ? -keeps_neighbour : keeps_neighbour;
+      }
+      if (other.position.y() + bias < robot.position.y()) ++index;
+    }
+    roles.index[robot.number] = index;
+  }
+}
+
+}  // namespace
 
 const char* name(Role role) {
   switch (role) {
@@ -44,63 +148,22 @@ int goalie_of(const kit::View& view) {
 Roles assign_roles(const kit::View& view, const Situation& situation, const Roles& before,
                    Formation formation, std::optional<int> receiver) {
   Roles roles;
+  roles.formation = formation;
   roles.goalie = goalie_of(view);
-  if (roles.goalie >= 0) roles.role[static_cast<std::size_t>(roles.goalie)] = Role::Goalie;
-
-  const auto free_robot = [&](const kit::Robot& robot) { return roles.role[robot.number] == Role::None; };
-
-  if (formation.winners > 0) {
-    double best = 1e9;
-    for (const kit::Robot& robot : view.own) {
-      if (!free_robot(robot) || view.game.forbidden == robot.number) continue;
-      double time = situation.meetings[robot.number].time;
-      if (before.winner == robot.number) time -= 0.15;
-      if (kit::holds_ball(robot, view.ball, view.field().ball_radius)) time -= 0.5;
-      if (receiver == robot.number) time -= 5;
-      if (time < best) {
-        best = time;
-        roles.winner = robot.number;
-      }
-    }
+  roles.winner = choose_winner(view, situation, roles, before, receiver);
+  if (view.tick % plan_every != 0 && still_fits(view, roles, before)) {
+    roles.role = before.role;
+    roles.index = before.index;
+    roles.defense = before.defense;
+  } else {
     if (roles.winner >= 0) roles.role[static_cast<std::size_t>(roles.winner)] = Role::Winner;
-  }
-
-  for (int i = 0; i < formation.defenders; ++i) {
-    double best = 1e9;
-    int chosen = -1;
+    if (roles.goalie >= 0) roles.role[static_cast<std::size_t>(roles.goalie)] = Role::Goalie;
+    assign_defense(view, situation, before, roles);
     for (const kit::Robot& robot : view.own) {
-      if (!free_robot(robot)) continue;
-      double distance = (robot.position - view.own_goal()).norm();
-      if (before.of(robot.number) == Role::Defender) distance -= 0.4;
-      if (distance < best) {
-        best = distance;
-        chosen = robot.number;
-      }
-    }
-    if (chosen < 0) break;
-    roles.role[static_cast<std::size_t>(chosen)] = Role::Defender;
-  }
-  for (const kit::Robot& robot : view.own) {
-    if (free_robot(robot)) roles.role[robot.number] = Role::Support;
-  }
-
-  // Neighbours keep their order: by y, so that they do not cross.
-  for (const Role role : {Role::Defender, Role::Support}) {
-    for (const kit::Robot& robot : view.own) {
-      if (roles.of(robot.number) != role) continue;
-      int index = 0;
-      for (const kit::Robot& other : view.own) {
-        if (other.number == robot.number || roles.of(other.number) != role) continue;
-        // 0.3 m in favour of the order before; the number decides between equals.
-        double bias = other.number < robot.number ? -1e-9 : 1e-9;
-        if (before.of(other.number) == role && before.of(robot.number) == role) {
-          bias = before.index[other.number] < before.index[robot.number] ? -0.3 : 0.3;
-        }
-        if (other.position.y() + bias < robot.position.y()) ++index;
-      }
-      roles.index[robot.number] = index;
+      if (roles.role[robot.number] == Role::None) roles.role[robot.number] = Role::Support;
     }
   }
+  order_supports(view, before, roles);
   return roles;
 }
 

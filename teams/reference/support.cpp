@@ -2,88 +2,122 @@
 
 #include <algorithm>
 
-#include "teams/reference/choose_kick.h"
-#include "teams/skills/pass.h"
+#include "teams/skills/motion.h"
 
 namespace reference {
 namespace {
 
-constexpr int think_every = 15;  // ticks
-constexpr double keep = 0.03;    // of value, in favour of the place before
+constexpr int think_every = 6;      // ticks: 10 Hz
+constexpr double replan = 1.0;      // [s] (reference "football", 2.10)
+constexpr double undecided = 0.15;  // [m] the ball must be over the middle line to change its side
+
+// How far a robot gets from rest to rest in that time [m].
+double way_in(double time, const skills::Limits& limits) {
+  return time * time / (2 * (1 / limits.acceleration + 1 / limits.brake));
+}
 
 }  // namespace
 
-Region support_region(const kit::View& view, int index, int count) {
-  const world::Field& field = view.field();
-  const double ball_x = view.ball.position.x();
-  Region region;
-  region.x_high = field.half_length() - 0.5;
-  region.x_low = std::clamp(ball_x - 0.5, -1.5, field.half_length() - 3.0);
-  region.x_high = std::min(region.x_high, std::max(ball_x + 4.5, 1.0));
-  const double inner = field.half_width() - 0.4;
-  const double band = 2 * inner / std::max(count, 1);
-  region.y_low = -inner + band * index;
-  region.y_high = region.y_low + band;
-  if (count == 1) {
-    // Alone: on the side the ball is not.
-    if (view.ball.position.y() > 0) {
-      region.y_high = 0.5;
-    } else {
-      region.y_low = -0.5;
-    }
-  }
-  return region;
-}
-
-double support_value(const kit::View& view, const Situation& situation, const Vector2d& point, int robot) {
+// Who goes to which zone: new when the ball's zone or the robots change, or after a second.
+void Supports::plan_zones(const kit::View& view, std::span<const kit::Robot* const> robots) {
   const Vector2d ball = view.ball.position;
-  const double length = (point - ball).norm();
-  if (length < 1.0) return 0;
-  const skills::Pass pass = skills::plan_pass(view, situation.model, ball, point);
-  const double reachable = length < 5.5 ? 1.0 : 0.5;
-  return (0.3 + 0.7 * pass.safety) * reachable * value_at(view, point, robot);
+  const bool side_before = left_;
+  if (std::abs(ball.y()) > undecided) left_ = ball.y() > 0;
+  const Zone zone = partition_.zone_of(ball);
+  const bool changed = !(zone == ball_zone_) || left_ != side_before || robots.size() != planned_for_ ||
+                       std::any_of(robots.begin(), robots.end(),
+                                   [this](const auto* robot) { return of(robot->number).zone < 0; });
+  if (!changed && view.time - planned_at_ < replan) return;
+  ball_zone_ = zone;
+  planned_at_ = view.time;
+  planned_for_ = robots.size();
+  const ZoneList list = zones_for(zone, left_);
+  std::array<int, most_supports> before{};
+  for (std::size_t i = 0; i < robots.size(); ++i) before[i] = of(robots[i]->number).zone;
+  const auto order = assign_zones(partition_, list, robots, before);
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    Member& member = of(robots[i]->number);
+    const int assigned = index_of(list[static_cast<std::size_t>(order[i])]);
+    if (assigned != member.zone) member.place = {};
+    member.zone = assigned;
+  }
 }
 
-skills::Order Supports::play(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                             int index, int count) {
-  std::optional<Vector2d>& place = places_[robot.number];
-  const Region region = support_region(view, index, count);
-  const auto inside = [&region](const Vector2d& p) {
-    return p.x() >= region.x_low - 0.3 && p.x() <= region.x_high + 0.3 && p.y() >= region.y_low - 0.3 &&
-           p.y() <= region.y_high + 0.3;
-  };
-  if (place && !inside(*place)) place.reset();
-  if (!place || (view.tick + 5 * robot.number) % think_every == 0) {
-    double best = -1;
-    Vector2d chosen = robot.position;
-    const auto consider = [&](const Vector2d& point, double bonus) {
-      if (world::distance_to_defense_area(view.field(), world::Side::Positive, point) < 0.35) return;
-      double value = support_value(view, situation, point, robot.number) + bonus;
-      for (const kit::Robot& mate : view.own) {
-        if (mate.number != robot.number && (mate.position - point).norm() < 0.8) value -= 0.1;
-      }
-      if (value <= best) return;
-      best = value;
-      chosen = point;
-    };
-    if (place) consider(*place, keep);
-    constexpr int columns = 3;
-    constexpr int rows = 3;
-    for (int i = 0; i < columns; ++i) {
-      for (int j = 0; j < rows; ++j) {
-        consider({region.x_low + (region.x_high - region.x_low) * (i + 0.5) / columns,
-                  region.y_low + (region.y_high - region.y_low) * (j + 0.5) / rows},
-                 0);
+void Supports::think(const kit::View& view, const Situation& situation, const Roles& roles,
+                     const Parameters& parameters) {
+  target_count_ = 0;
+  anchor_ = anchor_of(view.field(), view.ball.position.x(), anchor_);
+  partition_ = Partition(view.field(), anchor_);
+  std::array<const kit::Robot*, most_supports> found{};
+  std::size_t count = 0;
+  for (const kit::Robot& robot : view.own) {
+    Member& member = of(robot.number);
+    const bool support = roles.of(robot.number) == Role::Support && count < found.size();
+    if (support) found[count++] = &robot;
+    if (!support || !member.support) {
+      member = {};
+      member.support = support;
+    }
+  }
+  if (count == 0) return;
+  const std::span robots(found.data(), count);
+  map_.refresh(view, situation.model, partition_);
+
+  // Until the pass can be played: nobody knows while the ball is not ours.
+  double kick_time = 9;
+  if (situation.possession == Possession::Ours && roles.winner >= 0) {
+    kick_time = std::min(situation.meetings[static_cast<std::size_t>(roles.winner)].time + 0.2, 8.9);
+  }
+  const bool zones = parameters.attack == "zones";
+  if (zones) plan_zones(view, robots);
+
+  std::array<Vector2d, most_supports> taken;
+  std::size_t taken_count = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const kit::Robot& robot = *robots[i];
+    Member& member = of(robot.number);
+    member.set_place = set_play_place(view, static_cast<int>(i), static_cast<int>(count));
+    const Chooser chooser{&robot, kick_time, member.place.grid};
+    if (member.place.grid < 0 || (view.tick + 2 * robot.number) % think_every == 0) {
+      if (zones) {
+        const Zone zone{member.zone / 3, member.zone % 3 - 1};
+        member.place = best_in_zone(map_, zone, chooser);
+        member.target = best_in_zone(map_, zone, {&robot, kick_time, -1}).position;
+      } else {
+        member.place = best_anywhere(map_, std::span(taken.data(), taken_count), chooser);
+        member.target = member.place.position;
       }
     }
-    place = chosen;
+    if (member.set_place) {
+      targets_[target_count_++] = {robot.number, set_play_target(view, *member.set_place)};
+    } else if (member.place.grid >= 0) {
+      targets_[target_count_++] = {robot.number, member.target};
+      taken[taken_count++] = member.place.position;
+    }
   }
+}
+
+skills::Order Supports::play(const kit::View& view, const kit::Robot& robot) const {
+  const Member& member = of(robot.number);
   skills::Order order;
   order.why = "support";
-  order.target = *place;
   order.heading = world::angle_of(view.ball.position - robot.position);
   order.ball_distance = 0.15;
   order.their_area = 0.1;
+  order.target = robot.position;
+  if (member.set_place) {
+    order.why = "set play";
+    order.target = *member.set_place;
+  } else if (member.place.grid >= 0) {
+    // Pass ahead: not on the place itself but as far from it as the time of the pass lets it come
+    // (reference "football", 2.6: a receiver that stands is marked).
+    order.target = member.place.position;
+    const Vector2d back = robot.position - order.target;
+    const double distance = back.norm();
+    const double ahead =
+        std::min({way_in(member.place.ball_time, skills::driving_limits(robot.specs)), 0.5, distance});
+    if (distance > 1e-6) order.target += back * (ahead / distance);
+  }
   return order;
 }
 

@@ -1,35 +1,56 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
-#include "teams/reference/situation.h"
+#include "teams/reference/choose_kick.h"
+#include "teams/reference/parameters.h"
+#include "teams/reference/places.h"
+#include "teams/reference/roles.h"
+#include "teams/reference/set_play.h"
 #include "teams/skills/order.h"
 
 namespace reference {
 
-using world::Vector2d;
-
-/// A part of the field to choose a place from [m].
-struct Region {
-  double x_low = 0, x_high = 0, y_low = 0, y_high = 0;
-};
-
-/// Where support number `index` of `count` looks for a place: the field ahead of the ball cut into bands of
-/// y.
-Region support_region(const kit::View& view, int index, int count);
-
-/// How good it is to wait for a pass at that point [0..1]: the pass arrives, and something can be made of it.
-double support_value(const kit::View& view, const Situation& situation, const Vector2d& point, int robot);
-
-/// Supporters wait where a pass would be worth most. Thinks at 4 Hz for each robot, staggered.
+/// Supporters wait where a pass would be worth most: feature Z (reference "football", 2.10).
+///
+/// With zones the table says which zone belongs to whom, each robot reacts to the opponents inside its own,
+/// and a pass may go to the best point of the zone. Greedy, each takes the best point of all in the order of
+/// the numbers, and passes go to those. Nothing else differs. Each robot chooses at 10 Hz, staggered.
 class Supports {
  public:
-  skills::Order play(const kit::View& view, const Situation& situation, const kit::Robot& robot, int index,
-                     int count);
+  /// Chooses places and targets of this tick for the robots with the role Support.
+  void think(const kit::View& view, const Situation& situation, const Roles& roles,
+             const Parameters& parameters);
+
+  skills::Order play(const kit::View& view, const kit::Robot& robot) const;
+
+  std::span<const PassTarget> targets() const { return {targets_.data(), target_count_}; }
+  const Partition& partition() const { return partition_; }
 
  private:
-  std::array<std::optional<Vector2d>, world::max_robot_number + 1> places_;
+  struct Member {
+    Place place;                         // where it waits
+    int zone = -1;                       // index_of its zone; -1: none
+    bool support = false;                // had the role in the tick before
+    std::optional<Vector2d> set_place;   // [m] of a set play
+    Vector2d target = Vector2d::Zero();  // [m] where a pass may meet it
+  };
+  Member& of(int number) { return members_[static_cast<std::size_t>(number)]; }
+  const Member& of(int number) const { return members_[static_cast<std::size_t>(number)]; }
+  void plan_zones(const kit::View& view, std::span<const kit::Robot* const> robots);
+
+  std::array<Member, world::max_robot_number + 1> members_;
+  std::array<PassTarget, most_supports> targets_;
+  std::size_t target_count_ = 0;
+  Partition partition_;
+  ValueMap map_;
+  double anchor_ = 99;  // [m] none yet
+  bool left_ = true;    // the side the ball counts as
+  Zone ball_zone_;
+  double planned_at_ = -9;  // [s]
+  std::size_t planned_for_ = 0;
 };
 
 }  // namespace reference

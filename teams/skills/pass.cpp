@@ -6,6 +6,28 @@
 #include "teams/skills/motion.h"
 
 namespace skills {
+namespace {
+
+constexpr double reaction = 0.1;     // [s] of an opponent (reference "football", 2.6: 0.08 to 0.12)
+constexpr double most_margin = 0.5;  // [s] nobody is ever safer than that: a chance of 0.993
+constexpr double gravity = 9.81;     // [m/s^2]
+
+double chance_of(double margin) { return 1 / (1 + std::exp(-margin / 0.1)); }
+
+// The opponent's time to a point minus the ball's [s], or `most` when it cannot be less.
+double margin_at(const kit::View& view, const kit::Robot& opponent, const Vector2d& point, double ball_time,
+                 double most) {
+  const Limits limits = driving_limits(opponent.specs);
+  const double reach = opponent.specs.radius + view.field().ball_radius;
+  const Vector2d to = point - opponent.position;
+  // At full speed all the way it would still be too late.
+  const double far = reach + limits.speed * (ball_time + most - reaction);
+  if (far > 0 && to.squaredNorm() > far * far) return most;
+  const double drive = time_to_touch(to, opponent.velocity, limits, reach);
+  return (drive > 0 ? reaction + drive : 0) - ball_time;  // who stands there need not react
+}
+
+}  // namespace
 
 double pass_safety(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
                    const Vector2d& to, double speed) {
@@ -13,24 +35,25 @@ double pass_safety(const kit::View& view, const kit::BallModel& model, const Vec
   const double length = way.norm();
   if (length < 0.05) return 1;
   const Vector2d along = way / length;
-  double least = 2;             // [s] nobody is ever safer than that
-  const double reaction = 0.1;  // [s]
-  const double c = model.switch_ratio;
+  const double rolls = model.switch_ratio * speed;
+  const double whole = model.time_to_cover(speed, rolls, length);
+  double least = most_margin;
   for (const kit::Robot& opponent : view.opponents) {
     const double abreast = (opponent.position - from).dot(along);
     if (abreast < -0.3) continue;
-    const Limits limits = driving_limits(opponent.specs);
-    const double reach = opponent.specs.radius + view.field().ball_radius;
-    const double nearest = std::clamp(abreast, 0.2, length);
-    for (const double s : {nearest, 0.5 * (nearest + length), length}) {
-      const double ball = model.time_to_cover(speed, c * speed, s);
+    const double nearest = std::clamp(abreast, 0.2, std::max(length, 0.2));
+    least = std::min(least, margin_at(view, opponent, to, whole, least));
+    for (const double s : {nearest, 0.5 * (nearest + length)}) {
+      if (s >= length) continue;
       const Vector2d point = from + along * s;
-      const double drive = time_to_touch(point - opponent.position, opponent.velocity, limits, reach);
-      const double robot = drive > 0 ? reaction + drive : 0;  // who stands there need not react
-      least = std::min(least, robot - ball);
+      // The ball slows down, so it is there no later than in its share of the whole time.
+      const double late = whole * s / length;
+      const double far = opponent.specs.radius + 0.1 + opponent.specs.max_speed * (late + least);
+      if ((point - opponent.position).squaredNorm() > far * far) continue;
+      least = std::min(least, margin_at(view, opponent, point, model.time_to_cover(speed, rolls, s), least));
     }
   }
-  return 1 / (1 + std::exp(-least / 0.1));
+  return chance_of(least);
 }
 
 Pass plan_pass(const kit::View& view, const kit::BallModel& model, const Vector2d& from, const Vector2d& to,
@@ -41,6 +64,47 @@ Pass plan_pass(const kit::View& view, const kit::BallModel& model, const Vector2
   pass.speed = std::clamp(model.kick_speed_for(length, arrival), 2.0, 6.5);
   pass.time = model.time_to_cover(pass.speed, model.switch_ratio * pass.speed, length);
   pass.safety = pass_safety(view, model, from, to, pass.speed);
+  return pass;
+}
+
+std::optional<Pass> plan_chip(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
+                              const Vector2d& to) {
+  const Vector2d way = to - from;
+  const double length = way.norm();
+  if (length < 0.8) return {};
+  const Vector2d along = way / length;
+  const double ball_radius = view.field().ball_radius;
+  // At 45 degrees the ball is at x - x^2 / carry: 0.2 m after the kick it is above a robot.
+  constexpr double rise = 0.2;
+  double beyond = -1;  // [m] the end of the last robot in the way near the ball
+  for (const kit::Robot& opponent : view.opponents) {
+    const Vector2d at = opponent.position - from;
+    const double ahead = at.dot(along);
+    const double beside = std::abs(along.x() * at.y() - along.y() * at.x());
+    if (ahead < 0 || ahead > 1.5 || beside > opponent.specs.radius + ball_radius + 0.03) continue;
+    if (ahead - opponent.specs.radius < rise) return {};  // too near to be chipped over
+    beyond = std::max(beyond, ahead + opponent.specs.radius);
+  }
+  if (beyond < 0) return {};
+  const double carry = std::max(beyond + 0.3, std::min(0.6 * length, 2.5));
+  if (carry > length - 0.2) return {};
+  Pass pass;
+  pass.target = to;
+  pass.angle = M_PI / 4;
+  pass.speed = std::sqrt(gravity * carry);
+  const double across = pass.speed * std::sqrt(0.5);  // horizontal and vertical speed [m/s]
+  const double flight = 2 * across / gravity;
+  const double rolling = 5.0 / 7.0 * across;
+  double least = most_margin;
+  for (const double s : {carry, 0.5 * (carry + length), length}) {
+    const double time = flight + model.time_to_cover(rolling, rolling, s - carry);
+    if (s >= length) pass.time = time;
+    for (const kit::Robot& opponent : view.opponents) {
+      least = std::min(least, margin_at(view, opponent, from + along * s, time, least));
+    }
+  }
+  if (!std::isfinite(pass.time)) return {};
+  pass.safety = chance_of(least);
   return pass;
 }
 

@@ -1,52 +1,100 @@
-// Plays games in this process and prints what the football was like: the tool for tuning the reference team.
+// Plays games in this process and prints what the football was like: the tool for tuning the teams.
 //
-// team_watch [games] [half seconds] [first seed] [yellow] [blue] [trace from s] [trace to s]
-// A side is reference, chaser, none, three (reference with 3 robots) or half (at half speed).
+//   team_watch games=8 half=600 seed=1 realism=measured yellow="reference defenders=2 speed=0.5" blue=chaser
+//   team_watch games=1 seed=3 trace=10:20
+//
+// A side is a team (reference, longball, rough, chaser, none), then its parameters as name=value, and
+// robots=N or speed=FACTOR.
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <map>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 
+#include "experiments/host/tally.h"
 #include "teams/chaser/chaser.h"
 #include "teams/reference/reference_team.h"
 #include "tests/teams/support/arena.h"
 
 namespace {
 
-support::Side side(const std::string& name, bool tracing_notes) {
-  support::Side s;
-  if (name == "none") return s;
-  if (name == "chaser") {
-    s.make = [](const kit::Setup&) { return std::make_unique<chaser::Chaser>(); };
-    return s;
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+std::pair<std::string, std::string> split(const std::string& text) {
+  const std::size_t at = text.find('=');
+  if (at == std::string::npos) throw std::invalid_argument(text + " is not name=value");
+  return {text.substr(0, at), text.substr(at + 1)};
+}
+
+void set_all(const kit::Flags& flags, const Settings& settings) {
+  for (const auto& [name, value] : settings) {
+    if (const auto problem = flags.set(name, value)) throw std::invalid_argument(name + " " + *problem);
   }
-  s.make = [tracing_notes](const kit::Setup& setup) {
-    return std::make_unique<reference::ReferenceTeam>(setup, reference::Parameters{}, tracing_notes);
-  };
-  if (name == "three") s.robots = {0, 1, 2};
-  if (name == "half") s.speed_factor = 0.5;
+}
+
+support::Side side(const std::string& text, bool notes) {
+  std::istringstream words(text);
+  std::string team, word;
+  words >> team;
+  support::Side s;
+  if (team == "none") return s;
+  Settings settings;
+  while (words >> word) {
+    const auto [name, value] = split(word);
+    if (name == "robots") {
+      s.robots.resize(static_cast<std::size_t>(std::stoi(value)));
+    } else if (name == "speed") {
+      s.speed_factor = std::stod(value);
+    } else {
+      settings.emplace_back(name, value);
+    }
+  }
+  kit::Flags flags;
+  if (team == "chaser") {
+    s.make = [](const kit::Setup&) { return std::make_unique<chaser::Chaser>(); };
+  } else if (team == "reference") {
+    reference::Parameters parameters;
+    reference::declare(flags, parameters);
+    set_all(flags, settings);
+    s.make = [parameters, notes](const kit::Setup& setup) {
+      return std::make_unique<reference::ReferenceTeam>(setup, parameters, notes);
+    };
+  } else {
+    throw std::invalid_argument(team + " is no team known here");
+  }
   return s;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const auto arg = [&](int i, const char* otherwise) { return std::string(argc > i ? argv[i] : otherwise); };
-  const int games = std::atoi(arg(1, "1").c_str());
-  const double half = std::atof(arg(2, "600").c_str());
-  const int first_seed = std::atoi(arg(3, "1").c_str());
-  const double trace_from = std::atof(arg(6, "-1").c_str());
-  const double trace_to = std::atof(arg(7, "-1").c_str());
+int main(int argc, char** argv) try {
+  std::map<std::string, std::string> given{{"games", "1"},          {"half", "600"},       {"seed", "1"},
+                                           {"yellow", "reference"}, {"blue", "reference"}, {"trace", ""},
+                                           {"realism", "measured"}, {"calls", "off"}};
+  for (int i = 1; i < argc; ++i) {
+    const auto [name, value] = split(argv[i]);
+    if (given.count(name) == 0) throw std::invalid_argument(name + " has no meaning here");
+    given[name] = value;
+  }
+  const int games = std::stoi(given["games"]);
+  const double half = std::stod(given["half"]);
+  const int first_seed = std::stoi(given["seed"]);
+  double trace_from = -1, trace_to = -1;
+  std::sscanf(given["trace"].c_str(), "%lf:%lf", &trace_from, &trace_to);
+  const bool notes = trace_from >= 0;
 
+  std::map<std::string, std::array<int, 2>> events;
   std::map<std::string, int> rows;
+  int all_calls = 0;
   int yellow_goals = 0, blue_goals = 0, wins = 0, losses = 0;
   for (int game = 0; game < games; ++game) {
-    support::Arena arena(side(arg(4, "reference"), trace_from >= 0),
-                         side(arg(5, "reference"), trace_from >= 0),
-                         static_cast<std::uint64_t>(first_seed + game));
+    support::Arena arena(side(given["yellow"], notes), side(given["blue"], notes),
+                         static_cast<std::uint64_t>(first_seed + game), given["realism"].c_str());
     arena.start_referee(world::from_seconds(half));
     std::int64_t in_play = 0;
     std::array<int, 2> kicks{};
@@ -63,8 +111,11 @@ int main(int argc, char** argv) {
       const bool tracing = now >= trace_from && now <= trace_to;
       for (const referee::Call& call : arena.calls()) {
         rows[call.row] += 1;
-        if (tracing || (games == 1 && trace_from < 0))
-          std::printf("%s\n", referee::format_call(call).c_str());
+        if (call.offender && call.event) {
+          events[host::name(*call.event)][static_cast<std::size_t>(call.offender->team)] += 1;
+        }
+        all_calls += call.stops_play || call.offender;
+        if (tracing || given["calls"] == "on") std::printf("%s\n", referee::format_call(call).c_str());
       }
       if (tracing) {
         const truth::Ball& ball = arena.engine().truth().ball;
@@ -108,5 +159,13 @@ int main(int argc, char** argv) {
               wins, games - wins - losses, losses);
   for (const auto& [row, count] : rows)
     std::printf("  %s %.1f", row.c_str(), static_cast<double>(count) / games);
+  int offences = 0;
+  for (const auto& [name, count] : events) offences += count[0] + count[1];
+  std::printf("\n%d calls that stop play or name an offender, %d offences", all_calls, offences);
+  for (const auto& [name, count] : events)
+    std::printf("\n  %-34s yellow %d  blue %d", name.c_str(), count[0], count[1]);
   std::printf("\n");
+} catch (const std::exception& error) {
+  std::cerr << "team_watch: " << error.what() << "\n";
+  return 2;
 }

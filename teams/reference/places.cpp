@@ -1,0 +1,81 @@
+#include "teams/reference/places.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "teams/skills/motion.h"
+
+namespace reference {
+namespace {
+
+constexpr double keep = 0.03;   // of value, in favour of the place before
+constexpr double apart = 1.0;   // [m] between greedy supporters (reference "football", 2.10)
+constexpr double settle = 0.3;  // [s] in favour of the zone before
+
+// The better of a place and a grid point.
+void consider(const ValueMap& map, int index, const Chooser& chooser, Place& best) {
+  const ValueMap::Point& point = map.at(index);
+  const double bonus = index == chooser.before ? keep : 0;
+  // P_reach is at most 1: most points need no travel time.
+  if (point.value <= 0 || point.value + bonus <= best.value) return;
+  double reach = 1;
+  if (chooser.kick_time < 9) {
+    const kit::Robot& robot = *chooser.robot;
+    const double own = skills::travel_time(point.position - robot.position, robot.velocity,
+                                           skills::driving_limits(robot.specs));
+    reach = reach_chance(own, chooser.kick_time + point.ball_time);
+  }
+  const double value = point.value * reach + bonus;
+  if (value <= best.value) return;
+  best = {index, point.position, value, point.ball_time};
+}
+
+}  // namespace
+
+Place best_in_zone(const ValueMap& map, Zone zone, const Chooser& chooser) {
+  Place best;
+  const int first = zone.column * grid_per_zone * grid_side + (zone.row + 1) * grid_per_zone;
+  for (int i = 0; i < grid_per_zone; ++i) {
+    for (int j = 0; j < grid_per_zone; ++j) consider(map, first + i * grid_side + j, chooser, best);
+  }
+  return best;
+}
+
+Place best_anywhere(const ValueMap& map, std::span<const Vector2d> taken, const Chooser& chooser) {
+  Place best;
+  for (int index = 0; index < grid_points; ++index) {
+    const Vector2d& position = map.at(index).position;
+    const bool free = std::all_of(taken.begin(), taken.end(), [&position](const Vector2d& other) {
+      return (other - position).squaredNorm() >= apart * apart;
+    });
+    if (free) consider(map, index, chooser, best);
+  }
+  return best;
+}
+
+std::array<int, most_supports> assign_zones(const Partition& partition, const ZoneList& list,
+                                            std::span<const kit::Robot* const> robots,
+                                            std::span<const int> before) {
+  const std::size_t count = std::min<std::size_t>(robots.size(), most_supports);
+  std::array<std::array<double, most_supports>, most_supports> time{};
+  for (std::size_t r = 0; r < count; ++r) {
+    for (std::size_t z = 0; z < count; ++z) {
+      const Vector2d to = partition.cell(list[z]).center() - robots[r]->position;
+      time[r][z] = skills::travel_time(to, robots[r]->velocity, skills::driving_limits(robots[r]->specs));
+      if (r < before.size() && before[r] == index_of(list[z])) time[r][z] -= settle;
+    }
+  }
+  std::array<int, most_supports> order{}, best{};
+  std::iota(order.begin(), order.end(), 0);
+  double least = 1e9;
+  do {
+    double sum = 0;
+    for (std::size_t r = 0; r < count; ++r) sum += time[r][static_cast<std::size_t>(order[r])];
+    if (sum >= least) continue;
+    least = sum;
+    best = order;
+  } while (std::next_permutation(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count)));
+  return best;
+}
+
+}  // namespace reference

@@ -1,0 +1,63 @@
+#include "teams/reference/reception.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "teams/skills/aim.h"
+#include "teams/skills/pass.h"
+
+namespace reference {
+namespace {
+
+constexpr double weight_of_goal = 0.7;  // w_s; w_a is the rest (ours)
+// From farther than this [m] a shot is no threat: the goalie has all the time (ours).
+constexpr double far_shot = 5.5;
+
+}  // namespace
+
+double Reception::value() const { return safety * (weight_of_goal * goal + (1 - weight_of_goal) * advance); }
+
+double goal_chance(double opening_width, double distance) {
+  const double far = std::clamp((far_shot - distance) / 2.0, 0.0, 1.0);
+  return std::min(1.0, opening_width / 0.3) * far;  // 0.3 rad: reference "football", 2.5
+}
+
+double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter) {
+  const double distance = (view.their_goal() - point).norm();
+  if (distance >= far_shot) return 0;
+  return goal_chance(skills::opening_to_goal(view, point, shot_speed, shooter).width, distance);
+}
+
+double redirect_share(const kit::View& view, const Vector2d& from, const Vector2d& point) {
+  const Vector2d in = from - point;
+  const Vector2d out = view.their_goal() - point;
+  const double cosine = in.dot(out) / std::max(in.norm() * out.norm(), 1e-9);
+  // cos 60 = 0.5, cos 120 = -0.5; linear in the cosine between.
+  return 0.4 + 0.6 * std::clamp(cosine + 0.5, 0.0, 1.0);
+}
+
+double reach_chance(double own_time, double ball_time) {
+  return 1 / (1 + std::exp(-(ball_time + 0.1 - own_time) / 0.1));  // reference "football", 2.6
+}
+
+Reception reception_at(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
+                       const Vector2d& point, int receiver) {
+  Reception r;
+  const world::Field& field = view.field();
+  const double length = (point - from).norm();
+  const double share = redirect_share(view, from, point);
+  r.goal = goal_chance(view, point, 6.5, receiver);
+  // 3.5 m/s where the ball may be shot on at once, 2.2 where it is to be held (reference "football", 2.6).
+  const bool one_touch = share >= 1 && r.goal > 0.15;
+  r.goal *= share;
+  const skills::Pass pass = skills::plan_pass(view, model, from, point, one_touch ? 3.5 : 2.2);
+  r.speed = pass.speed;
+  r.ball_time = pass.time;
+  r.safety = pass.safety;
+  const double up = std::clamp((point.x() + field.half_length()) / field.length, 0.0, 1.0);
+  const double apart = std::clamp((length - 0.5) / 1.0, 0.0, 1.0);  // 1.5 m and more are far enough
+  r.advance = up * apart;
+  return r;
+}
+
+}  // namespace reference

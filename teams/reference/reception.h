@@ -1,0 +1,48 @@
+#pragma once
+
+#include "teams/kit/ball_model.h"
+#include "teams/kit/view.h"
+
+namespace reference {
+
+using world::Vector2d;
+
+/// What it is worth to receive a flat pass at a point: V(q) without the receiver.
+///
+/// V(q) = P_reach P_safe [w_s P_goal + w_a A]
+/// Source  reference "football", 2.6
+struct Reception {
+  double speed = 0;      ///< [m/s] of the kick
+  double ball_time = 0;  ///< [s] the ball needs
+  double safety = 0;     ///< P_safe
+  double goal = 0;       ///< P_goal of the shot that follows, less for one that first has to turn
+  double advance = 0;    ///< A
+
+  /// P_safe [w_s P_goal + w_a A]
+  double value() const;
+};
+
+/// @param receiver  its own hull does not stand in the way of its shot; -1: nobody's
+Reception reception_at(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
+                       const Vector2d& point, int receiver = -1);
+
+/// P_reach: chance that the receiver is there with the ball.
+///
+/// @param own_time   [s] until it can be there
+/// @param ball_time  [s] until the ball is: of the kicker to the ball and of the pass
+double reach_chance(double own_time, double ball_time);
+
+/// Chance of a goal by a shot from that point: the widest opening against 0.3 rad, nothing from afar.
+///
+/// Source  reference "football", 2.5
+double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter);
+double goal_chance(double opening_width, double distance);
+
+/// How good the angle at `point` between the ball's way in and the way to their goal is for a shot at the
+/// first touch: 1 up to 60 degrees, falling to 0.4 at 120, where it must be stopped and turned.
+double redirect_share(const kit::View& view, const Vector2d& from, const Vector2d& point);
+
+/// The deflection up to which a ball is shot at the first touch [rad].
+constexpr double most_deflection = 1.047;
+
+}  // namespace reference
