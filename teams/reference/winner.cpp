@@ -24,8 +24,10 @@ constexpr double go_round_for = 1.2;
 
 std::optional<int> Winner::receiver(const kit::View& view) {
   if (!pass_) return {};
-  if (view.time > pass_->until || kit::find(view.own, pass_->receiver) == nullptr ||
-      view.ball.velocity.norm() < 0.3) {
+  // The filter needs a few frames to see that the ball was kicked.
+  const bool stopped = view.time > pass_->armed_at + 0.25 && view.ball.velocity.norm() < 0.3;
+  const kit::Robot* mate = kit::find(view.own, pass_->receiver);
+  if (view.time > pass_->until || stopped || mate == nullptr || mate->ball_contact) {
     pass_.reset();
     return {};
   }
@@ -78,7 +80,8 @@ skills::Order Winner::play(const kit::View& view, const Situation& situation, co
   }
   if (order.kick_speed > 0 && choice_->kind == Kick::Kind::Pass && !redirect_ &&
       (view.ball.position - robot.position).norm() < 0.2) {
-    pass_ = PassUnderWay{choice_->receiver, view.time + 2.0};
+    const double length = (choice_->target - view.ball.position).norm();
+    pass_ = PassUnderWay{choice_->receiver, view.time, view.time + 1.0 + length / 1.5};
   }
   return order;
 }
@@ -92,7 +95,7 @@ skills::Order Winner::free_kick(const kit::View& view, const kit::Robot& robot) 
   order.dribble = false;
   const double gap =
       (view.ball.position - robot.position).norm() - skills::reach_of(robot, view.field().ball_radius);
-  if (order.velocity && order.kick_speed == 0 && gap < 0.02) {
+  if (order.velocity && order.kick_speed == 0 && gap < 0.045) {
     // Aligned it is not yet: sideways and back only.
     const Vector2d aim = world::direction(choice_->direction);
     *order.velocity -= aim * std::max(order.velocity->dot(aim), 0.0);
@@ -117,7 +120,10 @@ skills::Order Winner::fetch(const kit::View& view, const Situation& situation, c
   const kit::Ball& ball = view.ball;
   const Vector2d to_ball = ball.position - robot.position;
   if (skills::is_at_wall(view)) return skills::free_from_wall(view, robot);
-  if (ball.velocity.norm() >= slow_ball && to_ball.norm() > 0.25) {
+  // A ball that comes is let come until it is there; one that leaves, or is beside the robot, is gone to.
+  const double speed_of_ball = ball.velocity.norm();
+  const bool comes = -ball.velocity.dot(to_ball) > 0.7 * speed_of_ball * to_ball.norm();
+  if (speed_of_ball >= slow_ball && (comes || to_ball.norm() > 0.25)) {
     return let_come(view, situation, robot, rules, parameters);
   }
   redirect_.reset();

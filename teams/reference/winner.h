@@ -35,6 +35,7 @@ class Winner {
 
   struct PassUnderWay {
     int receiver = -1;
+    double armed_at = 0;
     double until = 0;  // [s] match time
   };
 
