@@ -77,13 +77,34 @@ void end(pid_t process, const std::string& entry) {
 
 void adopt_orphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1UL); }
 
+std::vector<pid_t> children() { return children_of(::getpid()); }
+
 std::size_t reap_adopted(std::span<const pid_t> known) {
   std::size_t reaped = 0;
-  for (const pid_t child : children_of(::getpid())) {
+  for (const pid_t child : children()) {
     if (std::find(known.begin(), known.end(), child) != known.end()) continue;
     if (::waitpid(child, nullptr, WNOHANG) == child) ++reaped;
   }
   return reaped;
+}
+
+std::size_t end_adopted(std::span<const pid_t> known) {
+  std::size_t ended = 0;
+  // Whoever dies may leave us its own children; each round goes one generation further down.
+  for (const Clock::time_point until = Clock::now() + patience; Clock::now() < until;) {
+    bool anybody = false;
+    for (const pid_t child : children()) {
+      if (std::find(known.begin(), known.end(), child) != known.end()) continue;
+      anybody = true;
+      if (::waitpid(child, nullptr, WNOHANG) == child) continue;
+      ::kill(child, SIGKILL);  // ours until it is reaped, so the number is its own
+      ++ended;
+      std::this_thread::sleep_for(std::chrono::milliseconds{1});
+      ::waitpid(child, nullptr, WNOHANG);
+    }
+    if (!anybody) break;
+  }
+  return ended;
 }
 
 std::int64_t resident_memory(pid_t process) {

@@ -15,11 +15,17 @@ namespace process {
 /// made a session of their own.
 void adopt_orphans();
 
+/// Our children, dead ones that were not reaped included.
+std::vector<pid_t> children();
+
 /// Reaps dead children of ours that nobody holds: adopted orphans.
 ///
 /// @param known  children that are reaped by their owners
 /// @return       how many there were
 std::size_t reap_adopted(std::span<const pid_t> known);
+
+/// Ends with KILL and reaps all children of ours that nobody holds; returns how many were alive.
+std::size_t end_adopted(std::span<const pid_t> known);
 
 /// Memory [bytes] a process holds (resident, shared pages included); 0 when there is no such process.
 std::int64_t resident_memory(pid_t process);
