@@ -30,11 +30,11 @@ WorkerLimits worker_limits(const schedule::Limits& limits);
 
 /// Where and what a worker plays.
 struct Place {
-  int slot = 0;                   ///< which of the runner's places, for the ledger
-  int cpu = -1;                   ///< the only processor to run on
-  std::filesystem::path folder;   ///< for all its files; made anew
-  std::filesystem::path scratch;  ///< for temporary files, its own and the teams'; emptied afterwards
-  std::string started;            ///< date and time, for the ledger
+  int slot = 0;                     ///< which of the runner's places, for the ledger
+  int cpu = -1;                     ///< the only processor to run on
+  std::filesystem::path folder{};   ///< for all its files; made anew
+  std::filesystem::path scratch{};  ///< for temporary files, its own and the teams'; emptied afterwards
+  std::string started{};            ///< date and time, for the ledger
 };
 
 /// What every process of a game has in its environment: this name, and the game's folder with a / at the end.
