@@ -67,6 +67,7 @@ struct RunOptions {
   std::filesystem::path design;
   std::filesystem::path out;              ///< empty: results/<name of the design>
   int workers = 0;                        ///< 0: one per processor
+  bool preflight = true;                  ///< a short game before the first one
   std::string worker;                     ///< another worker command, for tests; empty: ourselves
   std::string version;                    ///< of matchday
   std::vector<std::string> command_line;  ///< as we were called
@@ -86,13 +87,15 @@ struct ReplayOptions {
   std::string game;
   std::optional<std::filesystem::path> log;
   std::filesystem::path team_logs;
+  bool recorded = false;  ///< from the teams' recorded replies, without the teams
 };
-/// One game of a ledger again from its seed, and whether it went the same.
+/// One game of a ledger again, from its seed or its recorded replies, and whether it went the same.
 int replay(const ReplayOptions& options);
 
 struct WorkerOptions {
   std::filesystem::path job;
   std::filesystem::path result;
+  std::int64_t team_memory = 2048;  ///< [MiB] a team may hold
 };
 /// One game for a runner.
 int worker(const WorkerOptions& options);

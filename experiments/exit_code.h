@@ -5,12 +5,13 @@ namespace commands {
 /// What matchday ends with; the texts are in `matchday --help`.
 enum ExitCode : int {
   done = 0,
-  different = 1,      ///< replay: the game went differently
-  bad_input = 2,      ///< a flag, a file, a value
-  faults = 4,         ///< too many void games; play: a game that ended by a fault
-  storage = 5,        ///< result folder or ledger
-  internal = 70,      ///< a mistake in matchday itself (sysexits.h, EX_SOFTWARE)
-  signal_base = 128,  ///< plus the signal's number: 130 after Ctrl-C, 143 after TERM
+  different = 1,         ///< replay: the game went differently
+  bad_input = 2,         ///< a flag, a file, a value
+  preflight_failed = 3,  ///< the teams cannot play: the short game before the first one
+  faults = 4,            ///< too many void games; play: a game that ended by a fault
+  storage = 5,           ///< result folder or ledger
+  internal = 70,         ///< a mistake in matchday itself (sysexits.h, EX_SOFTWARE)
+  signal_base = 128,     ///< plus the signal's number: 130 after Ctrl-C, 143 after TERM
 };
 
 }  // namespace commands

@@ -14,9 +14,10 @@ namespace {
 using commands::ExitCode;
 
 constexpr const char* footer = R"(
-Exit codes: 0 done; 1 replay: the game went differently; 2 bad input; 4 too many void games, or play: the game
-ended by a fault; 5 trouble with a result folder; 70 a mistake in matchday itself; 130 and 143 interrupted by
-Ctrl-C and TERM (run: the same command continues).)";
+Exit codes: 0 done; 1 replay: the game went differently; 2 bad input; 3 run: the teams cannot play, says the
+short game before the first one; 4 too many void games, or play: the game ended by a fault; 5 trouble with a
+result folder; 70 a mistake in matchday itself; 130 and 143 interrupted by Ctrl-C and TERM (run: the same
+command continues).)";
 
 const CLI::Range robot_number(0, 15);
 const CLI::Range half_length(1.0,
@@ -89,6 +90,7 @@ void add_run(CLI::App& main, commands::RunOptions& options) {
   app.add_option("--out", options.out, "result folder; default: results/<name of the design>");
   app.add_option("--workers", options.workers, "games at a time; default: one per processor")
       ->check(CLI::Range(1, 1024));
+  app.add_flag("!--no-preflight", options.preflight, "skip the short game that shows that both teams move");
   app.add_option("--worker", options.worker)->group("");  // for tests
 }
 
@@ -105,6 +107,8 @@ void add_replay(CLI::App& main, commands::ReplayOptions& options) {
   app.add_option("game", options.game, "name of the game, as half-speed-0003-1")->required();
   app.add_option("--log", options.log, "write the game as a league log, FILE.log or FILE.log.gz");
   app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
+  app.add_flag("--recorded", options.recorded,
+               "from the teams' recorded replies instead of live teams; kept of faulty and sampled games");
 }
 
 void add_bench(CLI::App& main, bench::BenchOptions& options, commands::RealismOptions& realism) {
@@ -128,6 +132,7 @@ void add_worker(CLI::App& main, commands::WorkerOptions& options) {
   CLI::App& app = *main.add_subcommand("worker", "play one game for a runner")->group("");
   app.add_option("job", options.job)->required();
   app.add_option("result", options.result)->required();
+  app.add_option("--team-memory", options.team_memory, "[MiB]");
 }
 
 /// CLI11 would only say that a command is missing.

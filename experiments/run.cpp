@@ -8,6 +8,7 @@
 #include "experiments/exit_code.h"
 #include "experiments/experiment.h"
 #include "experiments/host/play.h"
+#include "experiments/record/ledger.h"
 #include "experiments/report/formats.h"
 #include "experiments/schedule/command_line.h"
 #include "experiments/schedule/schedule.h"
@@ -45,7 +46,10 @@ int run(const RunOptions& options) {
   runner::RunOptions settings;
   settings.out = options.out.empty() ? std::filesystem::path("results") / design.name : options.out;
   settings.workers = options.workers;
-  settings.worker_command = {own_program(), "worker"};
+  settings.limits = design.limits;
+  settings.preflight = options.preflight;
+  settings.worker_command = {own_program(), "worker", "--team-memory",
+                             std::to_string(design.limits.team_memory)};
   if (!options.worker.empty()) settings.worker_command = schedule::split_command(options.worker);
   settings.version = options.version;
   settings.protocol = "match protocol " + std::to_string(wire::match_protocol_version);
@@ -55,14 +59,23 @@ int run(const RunOptions& options) {
   std::cerr << design.name << ": " << schedule::game_count(design) << " games, realism "
             << record::text(design.realism) << ", rule set " << design.rules << ", results in "
             << settings.out.string() << std::endl;
-  const runner::RunResult result = runner::run(design, settings, std::cerr);
+  const std::string again = "continue with: " + shell_line(options.command_line);
+  runner::RunResult result;
+  try {
+    result = runner::run(design, settings, std::cerr);
+  } catch (const record::StorageError&) {
+    std::cerr << "when it is mended, " << again << std::endl;
+    throw;
+  }
   if (result.ending == runner::Ending::Interrupted) {
-    std::cerr << "interrupted, nothing is lost; continue with: " << shell_line(options.command_line)
-              << std::endl;
+    std::cerr << "interrupted, nothing is lost; " << again << std::endl;
     return signal_base + result.signal;
   }
+  if (result.ending == runner::Ending::PreflightFailed) return preflight_failed;
   std::cout << report::as_text(summary(read_experiment(result.out)));
-  return result.ending == runner::Ending::Done ? done : faults;
+  if (result.ending == runner::Ending::Done) return done;
+  std::cerr << "when it is mended, " << again << std::endl;
+  return faults;
 }
 
 }  // namespace commands

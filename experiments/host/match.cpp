@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/process/family.h"
 #include "sim/engine/realism.h"
 #include "sim/world/rules/rule_set.h"
 
@@ -17,6 +18,9 @@ using record::Termination;
 constexpr world::Duration longest_game = std::chrono::minutes{40};
 // Extra time adds half as much; a shoot-out of twenty kicks takes ten minutes.
 constexpr world::Duration longest_game_with_winner = std::chrono::minutes{80};
+
+// A look at the teams' memory takes 0.1 ms; a program can take a few hundred MB between two (ours).
+constexpr std::chrono::milliseconds limits_interval{100};
 
 /// The robot the team names, else its lowest number.
 int keeper_of(const wire::proto::TeamHello& hello, const record::TeamConfig& team) {
@@ -101,12 +105,20 @@ record::MatchRecord Match::run() {
     }
     record.termination = Termination::Finished;
     record.at_fault = record::Party::Nobody;
+    if (options_.must_be_plausible && !vitals_.complaint().empty()) {
+      record.termination = Termination::Implausible;
+      record.at_fault = record::Party::Harness;
+      record.reason = "this was no game: " + vitals_.complaint();
+    }
   } catch (const Interrupted&) {
     record.termination = Termination::Interrupted;
     record.reason = "the game was interrupted";
   } catch (const RecordingEnded&) {
     record.termination = Termination::Interrupted;
     record.reason = recorded_->cut() ? "the recording is cut off here" : "the recording ends here";
+  } catch (const LastTick&) {
+    record.termination = Termination::Interrupted;
+    record.reason = "the game was broken off after tick " + std::to_string(*options_.last_tick);
   } catch (const RecordingDiffers& differs) {
     record.termination = Termination::HarnessFault;
     record.at_fault = record::Party::Harness;
@@ -201,6 +213,7 @@ void Match::play_ticks() {
   const auto begin = Deadline::Clock::now();
   while (tick()) {
     if (engine_.tick() % world::ticks_per_second == 0) {
+      vitals_.add(engine_.truth(), commands_, referee_->message(), referee_->state());
       look_around();
       if (options_.on_second) options_.on_second(engine_.time(), referee_->state().score);
       const world::Duration longest = config_.winner ? longest_game_with_winner : longest_game;
@@ -239,6 +252,7 @@ bool Match::tick() {
     lap(Part::Log);
   }
   if (output.finished) return false;
+  if (options_.last_tick && engine_.tick() >= *options_.last_tick) throw LastTick{};
 
   if (live()) {
     if (recorded_) {
@@ -359,6 +373,16 @@ void Match::act_on_wishes(const referee::Output& output) {
 void Match::look_around() {
   for (const world::Team team : world::both_teams) teams_[team]->drain();
   if (options_.interrupted && options_.interrupted()) throw Interrupted{};
+  check_limits();
+}
+
+void Match::check_limits() {
+  const Deadline::Clock::time_point now = Deadline::Clock::now();
+  if (now - limits_checked_ < limits_interval) return;
+  limits_checked_ = now;
+  for (const world::Team team : world::both_teams) {
+    teams_[team]->check_limits(options_.memory_limit, options_.output_limit);
+  }
 }
 
 void Match::report(std::span<const record::CallEntry> entries) {
@@ -397,6 +421,8 @@ void Match::end(record::MatchRecord& record) {
   }
   const std::string farewell = record.reason.empty() ? "the game is over" : record.reason;
   for (const world::Team team : world::both_teams) teams_[team]->end(farewell, options_.stop_grace);
+  // Also whoever has left its team's process group; each knows our directory from its environment.
+  process::end_started_with(TeamProcess::socket_variable + ("=" + directory_.path().string() + "/"));
 }
 
 }  // namespace host

@@ -40,6 +40,7 @@ struct Deadline {
 class TeamProcess {
  public:
   using Idle = std::function<void()>;
+  static constexpr const char* socket_variable = "MATCHDAY_SOCKET";  ///< where its socket is, for the team
 
   /// @param socket  path for the team's socket; the listening starts here
   TeamProcess(world::Team team, const record::TeamConfig& config, const std::filesystem::path& socket);
@@ -63,6 +64,9 @@ class TeamProcess {
 
   /// Empties the pipe of its standard output.
   void drain();
+
+  /// OverLimit when its processes hold more memory, or have printed more, than that [bytes]; 0: any amount.
+  void check_limits(std::int64_t memory, std::int64_t output);
 
   /// Says goodbye, gives it `grace` to leave, and ends what is left of it.
   void end(const std::string& reason, std::chrono::milliseconds grace);

@@ -42,6 +42,20 @@ CREATE TABLE attempts (
 );
 )";
 
+// Of later origin than the others: a ledger without it is one without audits.
+constexpr const char* audit_table = R"(
+CREATE TABLE IF NOT EXISTS audits (
+  condition TEXT NOT NULL,
+  pair INTEGER NOT NULL,
+  leg INTEGER NOT NULL,
+  attempt INTEGER NOT NULL,
+  verdict TEXT NOT NULL,           -- same, team-differs, simulator-differs, teams-or-us-differ, failed
+  hash TEXT NOT NULL,              -- of the game played again
+  reason TEXT NOT NULL,
+  PRIMARY KEY (condition, pair, leg, attempt)
+);
+)";
+
 world::Team colour(const std::string& word) {
   return word == world::name(world::Team::Blue) ? world::Team::Blue : world::Team::Yellow;
 }
@@ -121,6 +135,7 @@ Ledger Ledger::open(const std::filesystem::path& path, const Experiment& experim
     }
     check_kind(kind_of(database), file);
     check_health(database, file);
+    if (!database.tableExists("audits")) database.exec(audit_table);
     Ledger ledger(std::move(connection));
     const std::string found = ledger.experiment().hash;
     if (found != experiment.hash) {
@@ -212,6 +227,45 @@ std::vector<Attempt> Ledger::attempts() const {
       attempts.push_back(std::move(attempt));
     }
     return attempts;
+  });
+}
+
+void Ledger::add(const Audit& audit) {
+  guarded(connection_->file, [&] {
+    SQLite::Statement insert(connection_->database, "INSERT OR REPLACE INTO audits VALUES (?,?,?,?,?,?,?)");
+    insert.bind(1, audit.key.condition);
+    insert.bind(2, audit.key.pair);
+    insert.bind(3, audit.key.leg);
+    insert.bind(4, audit.attempt);
+    insert.bind(5, name(audit.verdict));
+    insert.bind(6, audit.hash);
+    insert.bind(7, audit.reason);
+    insert.exec();
+  });
+}
+
+std::vector<Audit> Ledger::audits() const {
+  return guarded(connection_->file, [&] {
+    std::vector<Audit> audits;
+    if (!connection_->database.tableExists("audits")) return audits;
+    SQLite::Statement rows(connection_->database,
+                           "SELECT condition, pair, leg, attempt, verdict, hash, reason FROM audits "
+                           "ORDER BY condition, pair, leg, attempt");
+    while (rows.executeStep()) {
+      Audit audit;
+      audit.key = {rows.getColumn(0).getString(), rows.getColumn(1).getInt(), rows.getColumn(2).getInt()};
+      audit.attempt = rows.getColumn(3).getInt();
+      try {
+        audit.verdict = verdict_from_name(rows.getColumn(4).getString());
+      } catch (const std::invalid_argument& error) {
+        throw StorageError(connection_->file + ": the audit of game " + game_id(audit.key) +
+                           " cannot be read: " + error.what());
+      }
+      audit.hash = rows.getColumn(5).getString();
+      audit.reason = rows.getColumn(6).getString();
+      audits.push_back(std::move(audit));
+    }
+    return audits;
   });
 }
 

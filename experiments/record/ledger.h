@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/record/attempt.h"
+#include "experiments/record/audit.h"
 
 namespace record {
 
@@ -52,6 +53,14 @@ class Ledger {
 
   /// All attempts, by condition name, pair, leg and attempt.
   std::vector<Attempt> attempts() const;
+
+  /// Writes one audit, in place of an earlier one of the same attempt.
+  ///
+  /// @throws StorageError when it cannot be written
+  void add(const Audit& audit);
+
+  /// All audits, by condition name, pair, leg and attempt.
+  std::vector<Audit> audits() const;
 
   Experiment experiment() const;
 

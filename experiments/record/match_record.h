@@ -22,7 +22,10 @@ enum class Termination : std::uint8_t {
   Nonsense,       ///< it sent something that is not a valid message
   Overlong,       ///< over 40 simulated minutes: the referee is stuck (harness)
   Interrupted,    ///< stopped by the user (harness)
-  HarnessFault    ///< anything else that no team did
+  HarnessFault,   ///< anything else that no team did
+  OverLimit,      ///< it used more memory, or printed more, than a team may
+  Implausible     ///< over, but no game: a team never moved, robots were missing, or nothing was in play
+                  ///< (harness)
 };
 
 /// Who is to blame when a game did not finish.

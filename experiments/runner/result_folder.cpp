@@ -39,10 +39,17 @@ fs::path ResultFolder::game(const std::string& id, int attempt) const {
   return path_ / "games" / id / std::to_string(attempt);
 }
 
-void ResultFolder::forget_game(const std::string& id) const {
+void ResultFolder::forget_game(const std::string& id, int attempt) const {
   std::error_code ignored;  // a leftover file is no reason to end a night
-  fs::remove_all(path_ / "games" / id, ignored);
-  fs::remove(path_ / "games", ignored);  // only when it is empty
+  fs::remove_all(game(id, attempt), ignored);
+  fs::remove(path_ / "games" / id, ignored);  // these two only when they are empty
+  fs::remove(path_ / "games", ignored);
+}
+
+void ResultFolder::forget_audit(const std::string& id) const {
+  std::error_code ignored;
+  fs::remove_all(audit(id), ignored);
+  fs::remove(path_ / "audits", ignored);
 }
 
 }  // namespace runner

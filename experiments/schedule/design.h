@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/record/match_config.h"
+#include "experiments/schedule/limits.h"
 
 namespace schedule {
 
@@ -31,6 +32,7 @@ struct Design {
   bool winner = false;                ///< a draw is followed by extra time and a shoot-out
   record::RealismConfig realism;      ///< where a condition has no other
   int forfeit_goals = 3;              ///< a game lost at the table counts 0 to this
+  Limits limits;
   std::vector<Condition> conditions;
   std::string text;  ///< the file as it was read
 };
