@@ -12,6 +12,7 @@
 #include "experiments/host/robot_count.h"
 #include "experiments/host/tally.h"
 #include "experiments/host/team_process.h"
+#include "experiments/statistics/observer.h"
 
 namespace host {
 
@@ -83,6 +84,7 @@ class Match {
   TickMessages messages_;
   GameHash hash_;
   Tally tally_;
+  statistics::Observer statistics_;
   world::PerTeam<world::TeamCommands> commands_;
   world::PerTeam<int> bad_commands_{};
   engine::Timing timing_;  // only while measuring
