@@ -229,6 +229,7 @@ void Match::play_ticks() {
   if (options_.stopwatch != nullptr) {
     options_.stopwatch->loop_seconds = std::chrono::duration<double>(Deadline::Clock::now() - begin).count();
     options_.stopwatch->bytes_in = teams_.yellow->bytes_in() + teams_.blue->bytes_in();
+    options_.stopwatch->channel_calls = teams_.yellow->channel_calls() + teams_.blue->channel_calls();
   }
 }
 

@@ -74,6 +74,7 @@ class TeamProcess {
   /// What it has used so far, or had when it ended.
   const process::Usage& usage() const { return usage_; }
   std::int64_t bytes_in() const { return channel_ ? channel_->bytes_in() : 0; }
+  std::int64_t channel_calls() const { return channel_ ? channel_->calls() : 0; }
   pid_t pid() const { return child_ ? child_->pid() : -1; }
 
  private:

@@ -1,5 +1,6 @@
 #include "sim/physics/bullet_world.h"
 
+#include <array>
 #include <cstddef>
 
 namespace physics {
@@ -9,9 +10,12 @@ void BulletWorld::step(float duration) {
   getDispatchInfo().m_timeStep = duration;
   getDispatchInfo().m_stepCount = 0;
   performDiscreteCollisionDetection();
-  if (mark_touched()) {
-    calculateSimulationIslands();
-    getSolverInfo().m_timeStep = duration;
+  const int contacts = mark_touched();
+  getSolverInfo().m_timeStep = duration;
+  if (contacts == 1) {
+    solve(first_);
+  } else if (contacts > 1) {
+    calculateSimulationIslands();  // they decide the order in which the solver takes them
     solveConstraints(getSolverInfo());
   }
   move(duration);
@@ -28,18 +32,30 @@ void BulletWorld::foresee(float duration) {
   }
 }
 
-bool BulletWorld::mark_touched() {
+void BulletWorld::solve(btPersistentManifold* contact) {
+  std::array<btCollisionObject*, 2> moved{};
+  int count = 0;
+  for (const btCollisionObject* object : {contact->getBody0(), contact->getBody1()}) {
+    if (!object->isStaticObject())
+      moved[static_cast<std::size_t>(count++)] = const_cast<btCollisionObject*>(object);
+  }
+  getConstraintSolver()->solveGroup(moved.data(), count, &contact, 1, nullptr, 0, getSolverInfo(), nullptr,
+                                    getDispatcher());
+}
+
+// Returns how many pairs touch.
+int BulletWorld::mark_touched() {
   touched_.assign(static_cast<std::size_t>(getNumCollisionObjects()), 0);
-  bool any = false;
+  int count = 0;
   for (int i = 0; i < getDispatcher()->getNumManifolds(); ++i) {
-    const btPersistentManifold& manifold = *getDispatcher()->getManifoldByIndexInternal(i);
+    btPersistentManifold& manifold = *getDispatcher()->getManifoldByIndexInternal(i);
     if (manifold.getNumContacts() == 0) continue;
     for (const btCollisionObject* object : {manifold.getBody0(), manifold.getBody1()}) {
       touched_[static_cast<std::size_t>(object->getWorldArrayIndex())] = 1;
     }
-    any = true;
+    if (++count == 1) first_ = &manifold;
   }
-  return any;
+  return count;
 }
 
 void BulletWorld::move(float duration) {

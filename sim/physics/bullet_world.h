@@ -12,7 +12,8 @@ namespace physics {
 ///
 /// Bullet's own step integrates each body's pose three times: to foresee it, to look for continuous contacts
 /// (we have none) and to move it. Here a body that nothing touches is moved to the pose that was foreseen.
-/// Islands and solver run only while something touches. Damping, gravity, forces, sleeping, motion states and
+/// The solver runs only while something touches, and over two bodies alone when no others do; islands are
+/// sought only when there is more than one contact. Damping, gravity, forces, sleeping, motion states and
 /// profiling are left away: all of them are switched off or null in our scene.
 ///
 /// Source  Bullet 3.24, btDiscreteDynamicsWorld: the order of a step is its own. `BulletWorld` tests compare
@@ -27,10 +28,12 @@ class BulletWorld final : public btDiscreteDynamicsWorld {
 
  private:
   void foresee(float duration);
-  bool mark_touched();
+  int mark_touched();
+  void solve(btPersistentManifold* contact);
   void move(float duration);
 
-  std::vector<char> touched_;  // by index in the world's array of objects
+  std::vector<char> touched_;              // by index in the world's array of objects
+  btPersistentManifold* first_ = nullptr;  // that touches
 };
 
 }  // namespace physics

@@ -2,10 +2,12 @@
 
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "experiments/bench/bench.h"
 #include "experiments/host/match.h"
+#include "sim/world/geometry.h"
 #include "teams/reference/reference_team.h"
 
 namespace hot {
@@ -16,10 +18,60 @@ const char* name(Part part) {
   return names[static_cast<std::size_t>(part)];
 }
 
-kit::Session reference_session() {
-  return kit::Session({"team-reference", "0", {}, false}, [](const kit::Setup& setup, bool) {
+kit::MakeTeam reference_team() {
+  return [](const kit::Setup& setup, bool) {
     return std::make_unique<reference::ReferenceTeam>(setup, reference::Parameters{});
-  });
+  };
+}
+
+namespace {
+
+class Plain final : public kit::Team {
+ public:
+  void play(const kit::View& view, world::TeamCommands& out) override {
+    using world::Vector2d;
+    const Vector2d ball = view.ball.position;
+    const auto far = [&](const kit::Robot& robot) { return (robot.position - ball).norm(); };
+    const kit::Robot* nearest = nullptr;
+    for (const kit::Robot& robot : view.own) {
+      if (nearest == nullptr || far(robot) < far(*nearest)) nearest = &robot;
+    }
+    const kit::Phase phase = view.game.phase;
+    const bool set_piece =
+        view.game.ours && (phase == kit::Phase::Kickoff || phase == kit::Phase::Penalty ||
+                           phase == kit::Phase::DirectFree || phase == kit::Phase::IndirectFree);
+    const bool may_play = phase == kit::Phase::Running || set_piece;
+    const Vector2d forward = (Vector2d(4.5, 0) - ball).normalized();
+    for (const kit::Robot& robot : view.own) {
+      const bool plays = may_play && &robot == nearest && view.game.forbidden != robot.number;
+      Vector2d target(-0.7 - 0.8 * (robot.number % 3), robot.number < 3 ? 1.2 : -1.2);
+      double heading = 0;
+      if (plays) {
+        heading = world::angle_of(forward);
+        const bool behind = (ball - robot.position).dot(forward) > 0.9 * far(robot);
+        target = ball - (behind ? 0.05 : 0.35) * forward;
+      } else if (phase == kit::Phase::Running) {
+        if (robot.number % 2 == 0) target.x() = -target.x();
+      } else if (far(robot) < 0.8) {
+        target = robot.position + (robot.position - ball);
+        target.x() = std::min(target.x(), -0.3);
+      }
+      world::RobotCommand command;
+      command.number = robot.number;
+      Vector2d wish = 3 * (target - robot.position);
+      if (wish.norm() > 1.4) wish *= 1.4 / wish.norm();
+      command.velocity_local = world::rotated(wish, -robot.orientation);
+      command.angular_velocity = std::clamp(6 * world::wrap_angle(heading - robot.orientation), -6.0, 6.0);
+      command.kick_speed = plays ? 2 : 0;
+      out.push_back(command);
+    }
+  }
+};
+
+}  // namespace
+
+kit::MakeTeam plain_team() {
+  return [](const kit::Setup&, bool) { return std::make_unique<Plain>(); };
 }
 
 std::span<const std::byte> payload_of(std::string_view frame) {
@@ -31,7 +83,8 @@ std::span<const std::byte> payload_of(std::string_view frame) {
 
 // The two ends of one team's channel and the team behind it.
 struct Game::Side {
-  explicit Side(std::array<int, 2> sockets) : host(sockets[0]), team(sockets[1]) {}
+  Side(std::array<int, 2> sockets, const kit::MakeTeam& players)
+      : host(sockets[0]), team(sockets[1]), session({"team", "0", {}, false}, players) {}
   static std::array<int, 2> sockets() {
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) throw std::runtime_error("no socket pair");
@@ -40,11 +93,11 @@ struct Game::Side {
 
   host::Channel host;
   kit::Channel team;
-  kit::Session session = reference_session();
+  kit::Session session;
   host::MessageParser parser;
 };
 
-Game::Game(std::uint64_t seed) : config_(bench::standard_game()) {
+Game::Game(const kit::MakeTeam& players, std::uint64_t seed) : config_(bench::standard_game()) {
   config_.seed = seed;
   engine_ = std::make_unique<engine::Engine>(host::model_of(config_));
   setup_.rules = host::rules_of(config_);
@@ -54,7 +107,7 @@ Game::Game(std::uint64_t seed) : config_(bench::standard_game()) {
   for (const world::Team team : world::both_teams) {
     setup_.names[team] = config_.teams[team].name;
     setup_.robots[team] = static_cast<int>(config_.teams[team].robots.size());
-    sides_[team] = std::make_shared<Side>(Side::sockets());
+    sides_[team] = std::make_shared<Side>(Side::sockets(), players);
     hellos_[team] = host::hello_frame(team, config_, engine_->model());
     sides_[team]->session.answer(payload_of(hellos_[team]));
   }
@@ -107,6 +160,9 @@ void Game::exchange(world::Team team) {
     replies_[team] = answer;
   }
 }
+
+std::int64_t Game::host_calls() const { return sides_.yellow->host.calls() + sides_.blue->host.calls(); }
+std::int64_t Game::team_calls() const { return sides_.yellow->team.calls() + sides_.blue->team.calls(); }
 
 void Game::play_to(double seconds) {
   while (world::seconds(engine_->time()) < seconds && tick()) {

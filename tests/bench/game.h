@@ -23,11 +23,16 @@ enum class Part : std::uint8_t { Engine, Referee, Bookkeeping, Encode, Channel, 
 inline constexpr std::size_t part_count = 7;
 const char* name(Part part);
 
+kit::MakeTeam reference_team();
+/// The plainest players, of this folder alone: they do not change when teams and skills do. The nearest robot
+/// runs at the ball and kicks, the others stand in their own half, off a ball that is not theirs.
+kit::MakeTeam plain_team();
+
 /// The standard game in one process: everything the host does in a tick and everything both team programs do,
 /// through real sockets and in the same order, without processes.
 class Game {
  public:
-  explicit Game(std::uint64_t seed = 7);
+  explicit Game(const kit::MakeTeam& players = reference_team(), std::uint64_t seed = 7);
 
   /// One tick. False when the referee has finished.
   bool tick();
@@ -42,13 +47,15 @@ class Game {
   /// Of the last tick.
   const referee::Output& output() const { return output_; }
   const world::PerTeam<world::TeamCommands>& commands() const { return commands_; }
-  /// The frame that was sent to a team, without its length.
-  std::string payload(world::Team team) const { return payloads_[team]; }
+  /// What was sent to a team, without its length, and its answer; only with `keep`.
+  const std::string& payload(world::Team team) const { return payloads_[team]; }
   const std::string& reply(world::Team team) const { return replies_[team]; }
   const std::string& hello(world::Team team) const { return hellos_[team]; }
   const record::MatchConfig& config() const { return config_; }
   const referee::Setup& setup() const { return setup_; }
-  std::string hash() const { return hash_.digits(); }
+  /// Of the system, for the channels so far.
+  std::int64_t host_calls() const;
+  std::int64_t team_calls() const;
 
   /// Keeps payloads and replies for reading, which costs copies.
   bool keep = false;
@@ -73,9 +80,6 @@ class Game {
   world::PerTeam<int> bad_commands_{};
   world::PerTeam<std::string> hellos_, payloads_, replies_;
 };
-
-/// A session of the reference team.
-kit::Session reference_session();
 
 /// The bytes behind the length of a frame.
 std::span<const std::byte> payload_of(std::string_view frame);
