@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -26,6 +27,13 @@ namespace fs = std::filesystem;
 /// Runs of the small design with the fake worker, in a folder of their own.
 class RunTest : public testing::Test {
  protected:
+  /// Runs that are killed leave their temporary files; here they go with the test's folder.
+  void SetUp() override {
+    fs::create_directories(folder_.path() / "tmp");
+    ::setenv("TMPDIR", (folder_.path() / "tmp").c_str(), 1);
+  }
+  void TearDown() override { ::unsetenv("TMPDIR"); }
+
   /// Options with a fake worker of these arguments, in a folder of its own.
   RunOptions options(const std::string& folder, std::vector<std::string> arguments = {}) const {
     RunOptions options;
