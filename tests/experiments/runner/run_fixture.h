@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -64,8 +65,13 @@ class RunTest : public testing::Test {
     const pid_t child = ::fork();
     if (child == 0) {
       std::ofstream nowhere("/dev/null");
-      const RunResult result = run(design_, options, nowhere);
-      ::_exit(result.ending == Ending::Interrupted ? 128 + result.signal : 0);
+      try {
+        const RunResult result = run(design_, options, nowhere);
+        ::_exit(result.ending == Ending::Interrupted ? 128 + result.signal : 0);
+      } catch (const std::exception& error) {
+        std::cerr << error.what() << '\n';
+        ::_exit(99);
+      }
     }
     return child;
   }
