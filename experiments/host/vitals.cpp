@@ -52,7 +52,6 @@ void Vitals::count(const truth::Frame& truth, const world::RefereeMessage& messa
 
 std::string Vitals::complaint() const {
   if (!heard_) return "the referee was not heard: it gave no command";
-  if (!in_play_) return "the ball was never in play";
   for (const world::Team team : world::both_teams) {
     const std::string who = world::name(team);
     if (!commanded_[team]) return who + " never told a robot to move";
@@ -62,6 +61,7 @@ std::string Vitals::complaint() const {
       return who + " did not move: " + text.data();
     }
   }
+  if (!in_play_) return "the ball was never in play";
   return miscount_;
 }
 

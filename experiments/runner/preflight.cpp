@@ -6,7 +6,8 @@
 namespace runner {
 namespace {
 
-constexpr double half_length = 5;  // [s]: both teams take a kickoff; about a simulated minute with its stops
+constexpr double half_length = 15;  // [s]: both teams take a kickoff; with its stops about 1.5 simulated
+                                    // minutes, half a second of a processor
 
 }  // namespace
 

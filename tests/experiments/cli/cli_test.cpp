@@ -155,10 +155,50 @@ TEST_F(MatchdayProgram, RefusesAnotherDesignInTheSameFolderNamingBothHashes) {
 
 TEST_F(MatchdayProgram, EndsWithAnErrorWhenTooManyGamesAreVoid) {
   write_design("good.toml");
-  const Said said = matchday("run good.toml" + fake("--fail always --how exit"));
+  const Said said = matchday("run good.toml --no-preflight" + fake("--fail always --how exit"));
   EXPECT_EQ(said.code, 4);
-  EXPECT_THAT(said.text, HasSubstr("5 games in a row were void: stopped"));
+  EXPECT_THAT(said.text,
+              HasSubstr("5 games in a row were void (the last: the worker ended with code 3): stopped"));
   EXPECT_THAT(said.text, HasSubstr("no game counts yet"));
+  EXPECT_THAT(said.text, HasSubstr("when it is mended, continue with: " BIN_DIR "/matchday run good.toml"));
+}
+
+TEST_F(MatchdayProgram, EndsBeforeTheFirstGameWhenTheTeamsCannotPlay) {
+  write_design("good.toml");
+  const Said said = matchday("run good.toml");  // the teams are `true`, which does not connect
+  EXPECT_EQ(said.code, 3);
+  EXPECT_THAT(said.text, HasSubstr("a short game before the first one failed: condition 'one': "));
+  EXPECT_THAT(said.text, HasSubstr("ended with code 0 before it connected"));
+  EXPECT_THAT(matchday("report results/small").text, HasSubstr("no game counts yet"));
+}
+
+TEST_F(MatchdayProgram, ReplaysAFaultyGameFromItsRepliesWithoutTheTeams) {
+  std::ofstream(folder_ / "real.toml")
+      << "name = \"real\"\npairs = 1\n[rules]\nhalf_length = 5.0\n"
+      << "[teams.a]\ncommand = [\"" BIN_DIR "/fake-team\", \"--mode\", \"wander\"]\n"
+      << "[teams.b]\ncommand = [\"" BIN_DIR "/fake-team\", \"--mode\", \"crash\", \"--at\", \"400\"]\n";
+  EXPECT_EQ(matchday("run real.toml --no-preflight").code, 0) << "forfeits count";
+  for (const std::string how : {"", " --recorded"}) {
+    const Said said = matchday("replay results/real base-0000-1" + how);
+    EXPECT_EQ(said.code, 0) << said.text;
+    EXPECT_THAT(said.text, HasSubstr("the same game as in the ledger"));
+  }
+  // A recording of another game is noticed.
+  fs::copy_file(folder_ / "results/real/games/base-0000-0/1/game.replies",
+                folder_ / "results/real/games/base-0000-1/1/game.replies",
+                fs::copy_options::overwrite_existing);
+  EXPECT_EQ(matchday("replay results/real base-0000-1 --recorded").code, 1);
+  fs::remove_all(folder_ / "results/real/games");
+  const Said gone = matchday("replay results/real base-0000-1 --recorded");
+  EXPECT_EQ(gone.code, 2);
+  EXPECT_THAT(gone.text, HasSubstr("only those of faulty and sampled games are"));
+}
+
+TEST_F(MatchdayProgram, TellsHowToContinueAfterTroubleWithTheFolder) {
+  write_design("good.toml");
+  const Said said = matchday("run good.toml --out /dev/full" + fake());
+  EXPECT_EQ(said.code, 5);
+  EXPECT_THAT(said.text, HasSubstr("continue with: "));
 }
 
 TEST_F(MatchdayProgram, InterruptedSaysHowToContinue) {

@@ -55,6 +55,38 @@ TEST_F(LedgerTest, GivesBackWhatWasWrittenAlsoAfterReopening) {
   EXPECT_EQ(Ledger::read(file()).experiment(), experiment_);
 }
 
+TEST_F(LedgerTest, KeepsAuditsTheLastOfEachAttempt) {
+  const Audit same{{"equal", 3, 1}, 1, Verdict::Same, "abc", ""};
+  Audit other{{"equal", 2, 0}, 2, Verdict::Failed, "", "the worker died"};
+  {
+    Ledger ledger = open();
+    EXPECT_TRUE(ledger.audits().empty());
+    ledger.add(same);
+    ledger.add(other);
+    other.verdict = Verdict::TeamDiffers;
+    other.hash = "def";
+    other.reason.clear();
+    ledger.add(other);
+  }
+  EXPECT_THAT(Ledger::read(file()).audits(), ElementsAre(other, same));
+}
+
+TEST_F(LedgerTest, OneWithoutAuditsIsReadAndGetsThem) {
+  open();
+  SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("DROP TABLE audits");
+  EXPECT_TRUE(Ledger::read(file()).audits().empty());
+  open().add(Audit{{"equal", 0, 0}, 1, Verdict::Same, "abc", ""});
+  EXPECT_EQ(Ledger::read(file()).audits().size(), 1U);
+}
+
+TEST_F(LedgerTest, SaysWhichAuditIsDamaged) {
+  open().add(Audit{{"equal", 0, 1}, 1, Verdict::Same, "abc", ""});
+  SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("UPDATE audits SET verdict = 'fine'");
+  EXPECT_THAT(
+      complaint([&] { Ledger::read(file()).audits(); }),
+      HasSubstr("audit of game equal-0000-1 cannot be read: unknown verdict 'fine'; known are: same"));
+}
+
 TEST_F(LedgerTest, TakesEveryAttemptOnlyOnce) {
   Ledger ledger = open();
   ledger.add(example_attempt(0, 0));

@@ -9,6 +9,7 @@
 //
 // --fail first: only in the first attempt of pairs whose seed says so, about one game in four.
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -59,7 +60,10 @@ record::MatchRecord score(const record::MatchConfig& config) {
 
 /// A process that is in no group, session or family of ours.
 void start_daemon() {
-  if (::fork() != 0) return;
+  if (const pid_t child = ::fork(); child != 0) {
+    ::waitpid(child, nullptr, 0);
+    return;
+  }
   ::setsid();
   if (::fork() != 0) ::_exit(0);
   for (;;) ::pause();

@@ -29,7 +29,7 @@ TEST(Preflight, IsShortAndNeedsNoWinner) {
   schedule::Design design = small_design(1);
   design.winner = true;
   const auto games = preflight_games(design);
-  EXPECT_LE(*games[0].job.game.config.half_length, 5);
+  EXPECT_LE(*games[0].job.game.config.half_length, 15);
   EXPECT_FALSE(games[0].job.game.config.winner);
 }
 

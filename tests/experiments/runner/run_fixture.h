@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -26,6 +28,13 @@ namespace fs = std::filesystem;
 /// Runs of the small design with the fake worker, in a folder of their own.
 class RunTest : public testing::Test {
  protected:
+  /// Runs that are killed leave their temporary files; here they go with the test's folder.
+  void SetUp() override {
+    fs::create_directories(folder_.path() / "tmp");
+    ::setenv("TMPDIR", (folder_.path() / "tmp").c_str(), 1);
+  }
+  void TearDown() override { ::unsetenv("TMPDIR"); }
+
   /// Options with a fake worker of these arguments, in a folder of its own.
   RunOptions options(const std::string& folder, std::vector<std::string> arguments = {}) const {
     RunOptions options;
@@ -56,8 +65,13 @@ class RunTest : public testing::Test {
     const pid_t child = ::fork();
     if (child == 0) {
       std::ofstream nowhere("/dev/null");
-      const RunResult result = run(design_, options, nowhere);
-      ::_exit(result.ending == Ending::Interrupted ? 128 + result.signal : 0);
+      try {
+        const RunResult result = run(design_, options, nowhere);
+        ::_exit(result.ending == Ending::Interrupted ? 128 + result.signal : 0);
+      } catch (const std::exception& error) {
+        std::cerr << error.what() << '\n';
+        ::_exit(99);
+      }
     }
     return child;
   }
