@@ -104,8 +104,18 @@ void Habits::while_running(const kit::View& view, const kit::Robot& robot, skill
     return;
   }
   if (!again) touch_again_.gives_way(robot.number, false, 0, stream_);
-  if (goalie) return;
-
+  if (goalie) {
+    const bool has =
+        (view.ball.position - robot.position).norm() < 0.2 &&
+        world::distance_to_defense_area(view.field(), world::Side::Negative, view.ball.position) < -0.1;
+    if (!has) keeping_since_ = view.time;
+    const bool keeps = keep_ball_.gives_way(robot.number, has, rudeness_.keeper_holding, stream_);
+    if (!keeps || view.time - keeping_since_ > 17) return;
+    order = take(view, robot, "keep");
+    order.velocity.reset();
+    order.target = robot.position;
+    return;
+  }
   // Contact that comes back within 0.3 s is the same dribble.
   const bool holds = kit::holds_ball(robot, view.ball, view.field().ball_radius);
   if (holds && view.time - last_contact_[n] > 0.3) dribble_from_[n] = view.ball.position;

@@ -48,10 +48,11 @@ class Habits {
   Rudeness rudeness_;
   world::RandomStream stream_;
   Temptation fast_kick_, dribble_, enter_area_, ram_, encroach_, speed_, wait_at_area_, wrong_half_,
-      touch_again_, chip_at_goal_, chip_at_line_, do_not_kick_;
+      touch_again_, chip_at_goal_, chip_at_line_, do_not_kick_, keep_ball_;
   kit::Phase phase_ = kit::Phase::Halt;
   std::array<double, world::max_robot_number + 1> last_contact_{};  // [s] match time
   std::array<Vector2d, world::max_robot_number + 1> dribble_from_{};
+  double keeping_since_ = 0;  // [s]
 };
 
 }  // namespace rough

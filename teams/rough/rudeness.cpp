@@ -17,6 +17,7 @@ void declare(kit::Flags& flags, Rudeness& r) {
   rate("double-touches", r.double_touches, "the kicker of a free kick goes on with the ball");
   rate("chips-at-goal", r.chips_at_goal, "a shot from 1 to 4 m is a high chip");
   rate("chips-at-lines", r.chips_at_lines, "a kick near a line is a chip along it");
+  rate("keeper-holding", r.keeper_holding, "the goalie keeps the ball for 17 s");
   rate("slow-restarts", r.slow_restarts, "a free kick of ours is not taken");
 }
 
