@@ -64,14 +64,4 @@ double BallModel::kick_speed_for(double distance, double arrival) const {
   return std::sqrt(arrival * arrival + 2 * slide_deceleration * distance);  // arrives still sliding
 }
 
-Ball predicted(const Ball& ball, const BallModel& model, double time) {
-  Ball later = ball;
-  const double speed = ball.velocity.norm();
-  if (speed < 1e-6) return later;
-  const Vector2d along = ball.velocity / speed;
-  later.position += along * model.distance_after(speed, ball.rolls_below, time);
-  later.velocity = along * model.speed_after(speed, ball.rolls_below, time);
-  return later;
-}
-
 }  // namespace kit

@@ -32,7 +32,4 @@ struct BallModel {
   double kick_speed_for(double distance, double arrival) const;
 };
 
-/// The ball `time` seconds later.
-Ball predicted(const Ball& ball, const BallModel& model, double time);
-
 }  // namespace kit

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/world/geometry.h"
+#include "teams/kit/ball_course.h"
 
 namespace kit {
 namespace {
@@ -21,16 +22,44 @@ Robot turned(const world::TrackedRobot& tracked, double flip) {
   return robot;
 }
 
-// The velocity moves towards what was asked, as fast as the limits allow (the simulator's drive does the
-// same).
-Vector2d driven(const Vector2d& velocity, Vector2d asked, const world::RobotSpecs& specs, double dt) {
+// The simulator's drive: the velocity moves towards what was asked as fast as the limits allow. Along and
+// across the heading `forward` they bound ellipses.
+Vector2d driven(const Vector2d& velocity, Vector2d asked, const Vector2d& forward,
+                const world::RobotSpecs& specs, double dt) {
+  // Radius of the ellipse with those half axes in a direction.
+  const auto radius = [&forward](const Vector2d& direction, double along, double across) {
+    if (along == across) return along;
+    const double a = forward.dot(direction) / along;
+    const double b = (forward.x() * direction.y() - forward.y() * direction.x()) / across;
+    return 1 / std::sqrt(a * a + b * b);
+  };
   const double speed = asked.norm();
-  if (speed > specs.max_speed) asked *= specs.max_speed / speed;
+  if (speed > 1e-9) {
+    const double fastest = radius(asked / speed, specs.max_speed, specs.max_speed_sideways);
+    if (speed > fastest) asked *= fastest / speed;
+  }
   const Vector2d change = asked - velocity;
   const double size = change.norm();
-  const bool braking = asked.squaredNorm() < velocity.squaredNorm();
-  const double most = (braking ? specs.max_brake : specs.max_acceleration) * dt;
-  return size <= most ? asked : Vector2d(velocity + change * (most / size));
+  if (size < 1e-9) return asked;
+  const Vector2d towards = change / size;
+  double most = radius(towards, specs.max_acceleration, specs.max_acceleration_sideways);
+  const double now = velocity.norm();
+  const double along = now > 1e-3 ? towards.dot(velocity) / now : 1;
+  if (along < 0) {
+    // Slowing down: the brake's share of the direction, the acceleration's across it.
+    const double brake = radius(towards, specs.max_brake, specs.max_brake_sideways);
+    most = 1 / std::sqrt(along * along / (brake * brake) + (1 - along * along) / (most * most));
+  }
+  return size <= most * dt ? asked : Vector2d(velocity + towards * (most * dt));
+}
+
+// Likewise about the vertical.
+double turned_to(double now, double asked, const world::RobotSpecs& specs, double dt) {
+  asked = std::clamp(asked, -specs.max_angular_speed, specs.max_angular_speed);
+  const double change = asked - now;
+  const bool slows = change * now < 0;
+  const double most = (slows ? specs.max_angular_brake : specs.max_angular_acceleration) * dt;
+  return now + std::clamp(change, -most, most);
 }
 
 }  // namespace
@@ -80,6 +109,14 @@ const View& Looker::look(std::int64_t tick, const world::TrackedFrame& frame,
     ball.velocity = flip * frame.ball->velocity.head<2>();
     ball.height = frame.ball->position.z();
     ball.rolls_below = rolls_below_;
+    ball.climb = 0;
+    ball.flies = ball.bounced = false;
+    if (const std::optional<world::Flight>& flight = frame.ball->flight) {
+      ball.flies = true;
+      ball.climb = frame.ball->velocity.z();
+      // It first lands after 2 v_z / g.
+      ball.bounced = world::seconds(frame.time - flight->kicked) > 2 * flight->launch_velocity.z() / 9.81;
+    }
     ball.unseen = world::seconds(frame.ball->unseen);
     ball = predicted(ball, model_, ahead);
   } else if (flipped != was_flipped_) {
@@ -98,12 +135,10 @@ void Looker::predict_own(Robot& robot, world::Time from) const {
     const double dt = world::seconds(world::tick_time(m + setup_.command_latency + 1) - start);
     if (dt <= 0 || m < 0) continue;
     const Sent& sent = sent_[static_cast<std::size_t>(m) % history][robot.number];
-    const double turn = sent.angular_velocity - robot.angular_velocity;
-    const double most = robot.specs.max_angular_acceleration * dt;
-    const double omega = robot.angular_velocity + std::clamp(turn, -most, most);
+    const double omega = turned_to(robot.angular_velocity, sent.angular_velocity, robot.specs, dt);
     const double angle = robot.orientation + 0.5 * omega * dt;
-    const Vector2d velocity =
-        driven(robot.velocity, world::rotated(sent.velocity_local, angle), robot.specs, dt);
+    const Vector2d velocity = driven(robot.velocity, world::rotated(sent.velocity_local, angle),
+                                     world::direction(angle), robot.specs, dt);
     robot.position += 0.5 * (robot.velocity + velocity) * dt;
     robot.velocity = velocity;
     robot.orientation = world::wrap_angle(robot.orientation + omega * dt);

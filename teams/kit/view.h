@@ -18,6 +18,9 @@ struct Ball {
   Vector2d position = Vector2d::Zero();  ///< [m]
   Vector2d velocity = Vector2d::Zero();  ///< [m/s]
   double height = 0;                     ///< [m] above its resting place
+  double climb = 0;                      ///< [m/s] upwards, while it flies
+  bool flies = false;      ///< kicked into the air and not yet rolling, as far as the filter knows
+  bool bounced = false;    ///< flies, and has landed since its kick
   double rolls_below = 0;  ///< [m/s] slower than this it rolls, faster it slides (5/7 of the kick's speed)
   double unseen = 0;       ///< [s] since a camera saw it
 };

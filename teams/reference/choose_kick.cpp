@@ -160,25 +160,4 @@ Kick choose_kick(const kit::View& view, const Situation& situation, int kicker_n
   return clearance(view, situation, kicker_number, ball.x() > -2);
 }
 
-std::optional<Kick> choose_redirect(const kit::View& view, const Situation& situation, int receiver,
-                                    const KickRules& rules, const Parameters& parameters) {
-  const double speed = view.ball.velocity.norm();
-  if (!rules.shot_allowed || speed < 1.0) return {};
-  const Vector2d point = situation.meetings[static_cast<std::size_t>(receiver)].position;
-  const Vector2d back = -view.ball.velocity / speed;
-  const skills::Opening opening = skills::opening_to_goal(view, point, parameters.shot_speed, receiver);
-  const double turn = std::abs(world::wrap_angle(opening.direction - world::angle_of(back)));
-  if (turn > most_deflection) return {};
-  const double chance = goal_chance(opening.width, (view.their_goal() - point).norm());
-  if (chance <= parameters.shot_threshold) return {};
-  Kick kick;
-  kick.kind = Kick::Kind::Shot;
-  kick.target = opening.target;
-  kick.direction = opening.direction;
-  kick.speed = parameters.shot_speed;
-  kick.tolerance = skills::kick_tolerance(opening.width);
-  kick.value = chance;
-  return kick;
-}
-
 }  // namespace reference

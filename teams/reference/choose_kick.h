@@ -46,12 +46,4 @@ struct KickRules {
 Kick choose_kick(const kit::View& view, const Situation& situation, int kicker, const KickRules& rules,
                  const Parameters& parameters, const std::optional<Kick>& before);
 
-/// For the robot a moving ball comes to: a shot at the first touch, when the opening from the meeting point
-/// promises a goal and the ball need not be deflected by more than 60 degrees.
-///
-/// @return  nothing: stop the ball first
-/// Source   reference "football", 2.4 (one-touch) and 2.6
-std::optional<Kick> choose_redirect(const kit::View& view, const Situation& situation, int receiver,
-                                    const KickRules& rules, const Parameters& parameters);
-
 }  // namespace reference

@@ -7,6 +7,7 @@
 #include "teams/skills/ball_handling.h"
 #include "teams/skills/motion.h"
 #include "teams/skills/pass.h"
+#include "teams/skills/turn_dribble.h"
 
 namespace reference {
 namespace {

@@ -12,6 +12,9 @@ void declare(kit::Flags& flags, Parameters& p) {
   flags.add("stop-distance", p.stop_distance, 0.5, 2.0,
             "distance to the ball during STOP and their kicks [m]");
   flags.add("dribble-distance", p.dribble_distance, 0.1, 0.95, "longest dribble [m]");
+  flags.add("turn-dribble", p.turn_dribble,
+            "turn with the ball at the dribbler (off: let go and go round it)");
+  flags.add("turn-rate", p.turn_rate, 1.0, 9.0, "rate of turns with the ball [rad/s]");
   flags.add("kick-delay", p.kick_delay, 0.0, 5.0, "wait before a free kick [s]");
   flags.add("defenders", p.defenders, 0, 4, "defenders besides the goalkeeper while we have the ball");
 }

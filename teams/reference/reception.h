@@ -42,7 +42,4 @@ double goal_chance(double opening_width, double distance);
 /// first touch: 1 up to 60 degrees, falling to 0.4 at 120, where it must be stopped and turned.
 double redirect_share(const kit::View& view, const Vector2d& from, const Vector2d& point);
 
-/// The deflection up to which a ball is shot at the first touch [rad].
-constexpr double most_deflection = 1.047;
-
 }  // namespace reference

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "teams/reference/reception.h"
+#include "teams/reference/with_ball.h"
+#include "teams/skills/aim.h"
 #include "teams/skills/ball_handling.h"
-#include "teams/skills/steer.h"
+#include "teams/skills/receive.h"
 
 namespace reference {
 namespace {
@@ -12,23 +15,10 @@ namespace {
 // [s] A choice stands this long unless the ball is lost; 10 Hz is often enough (reference "football", 2.8).
 constexpr double rethink = 0.1;
 
-double nearest_opponent(const kit::View& view, const Vector2d& point) {
-  double nearest = 9;
-  for (const kit::Robot& robot : view.opponents) nearest = std::min(nearest, (robot.position - point).norm());
-  return nearest;
-}
-
-// A robot of theirs directly in front of the dribbler takes every flat ball.
-bool blocked_in_front(const kit::View& view, const kit::Robot& robot) {
-  const Vector2d ahead = world::direction(robot.orientation);
-  for (const kit::Robot& other : view.opponents) {
-    const Vector2d to = other.position - robot.position;
-    const double forward = to.dot(ahead);
-    const double beside = std::abs(ahead.x() * to.y() - ahead.y() * to.x());
-    if (forward > 0 && forward < 0.5 && beside < 0.1) return true;
-  }
-  return false;
-}
+// A slow ball is gone to, a faster one is let come [m/s].
+constexpr double slow_ball = 0.6;
+// [s] After letting go of the ball the robot goes round it, and does not take it again the shortest way.
+constexpr double go_round_for = 1.2;
 
 }  // namespace
 
@@ -47,7 +37,9 @@ void Winner::choose(const kit::View& view, const Situation& situation, const kit
   if (robot_ != robot.number) {
     robot_ = robot.number;
     choice_.reset();
-    dribble_start_.reset();
+    hold_start_.reset();
+    redirect_.reset();
+    released_at_ = -9;
     chosen_at_ = -1;
   }
   if (choice_ && view.time - chosen_at_ < rethink) return;
@@ -55,106 +47,127 @@ void Winner::choose(const kit::View& view, const Situation& situation, const kit
   chosen_at_ = view.time;
 }
 
+// Contact begins when the ball comes to the dribbler and ends when it is clearly away from the robot, as the
+// laws count a dribble: a ball that only trembles at the bar is the same dribble.
+void Winner::watch_the_hold(const kit::View& view, const kit::Robot& robot) {
+  const double ball_radius = view.field().ball_radius;
+  holds_ = kit::holds_ball(robot, view.ball, ball_radius);
+  const double away = (view.ball.position - robot.position).norm() - robot.specs.radius - ball_radius;
+  if (away > 0.05) hold_start_.reset();
+  if (!holds_) return;
+  if (!hold_start_) {
+    hold_start_ = view.ball.position;
+    holding_since_ = view.time;
+  } else if (view.time - last_contact_ > 0.2) {
+    holding_since_ = view.time;
+  }
+  last_contact_ = view.time;
+}
+
 skills::Order Winner::play(const kit::View& view, const Situation& situation, const kit::Robot& robot,
                            const KickRules& rules, const Parameters& parameters) {
   choose(view, situation, robot, rules, parameters);
-  const kit::Ball& ball = view.ball;
-  const bool holds = kit::holds_ball(robot, ball, view.field().ball_radius);
-  if (holds) {
-    if (!dribble_start_ || view.time - last_contact_ > 0.2) {
-      dribble_start_ = ball.position;
-      holding_since_ = view.time;
-    }
-    last_contact_ = view.time;
-  }
-
+  watch_the_hold(view, robot);
   skills::Order order;
-  const double speed = ball.velocity.norm();
-  const Vector2d to_ball = ball.position - robot.position;
-  const bool rests = speed < 0.6;
   if (rules.must_kick) {
-    const double speed_of_kick = choice_->kind == Kick::Kind::Dribble ? 3.0 : choice_->speed;
-    order = skills::approach_and_kick(view, robot, choice_->direction, speed_of_kick, choice_->angle,
-                                      choice_->tolerance);
-    order.why = "free kick";
-  } else if (holds) {
+    order = free_kick(view, robot);
+  } else if (holds_) {
     order = with_ball(view, situation, robot, parameters);
-  } else if (!rests && to_ball.norm() > 0.25) {
-    order = skills::receive(view, robot, situation.model);
   } else {
-    // It rests or rolls slowly. Round it only when there is time or little to round.
-    const double off = std::abs(world::wrap_angle(world::angle_of(to_ball) - choice_->direction));
-    const bool time_to_round = situation.their_time > situation.meetings[robot.number].time + 0.3 + 0.5 * off;
-    if (choice_->kind != Kick::Kind::Dribble && (off < 0.5 || time_to_round)) {
-      order = skills::approach_and_kick(view, robot, choice_->direction, choice_->speed, choice_->angle,
-                                        choice_->tolerance);
-    } else {
-      order = skills::capture(view, robot, situation.model);
-    }
+    order = fetch(view, situation, robot, rules, parameters);
   }
-  if (order.kick_speed > 0 && choice_->kind == Kick::Kind::Pass && to_ball.norm() < 0.2) {
+  if (order.kick_speed > 0 && choice_->kind == Kick::Kind::Pass && !redirect_ &&
+      (view.ball.position - robot.position).norm() < 0.2) {
     pass_ = PassUnderWay{choice_->receiver, view.time + 2.0};
+  }
+  return order;
+}
+
+// The ball must not move before it is kicked: another touch would be the second.
+skills::Order Winner::free_kick(const kit::View& view, const kit::Robot& robot) const {
+  const double speed = choice_->kind == Kick::Kind::Dribble ? 3.0 : choice_->speed;
+  skills::Order order =
+      skills::approach_and_kick(view, robot, choice_->direction, speed, choice_->angle, choice_->tolerance);
+  order.why = "free kick";
+  order.dribble = false;
+  const double gap =
+      (view.ball.position - robot.position).norm() - skills::reach_of(robot, view.field().ball_radius);
+  if (order.velocity && order.kick_speed == 0 && gap < 0.02) {
+    // Aligned it is not yet: sideways and back only.
+    const Vector2d aim = world::direction(choice_->direction);
+    *order.velocity -= aim * std::max(order.velocity->dot(aim), 0.0);
   }
   return order;
 }
 
 skills::Order Winner::with_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot,
                                 const Parameters& parameters) {
-  const kit::Ball& ball = view.ball;
-  const double carried = (ball.position - *dribble_start_).norm();
-  const double held = view.time - holding_since_;
-  const bool pressed = nearest_opponent(view, ball.position) < 0.25;
-  const bool let_go = carried > parameters.dribble_distance || held > 4.0 || (pressed && held > 0.6);
+  redirect_.reset();
+  const Hold hold{*hold_start_, view.time - holding_since_};
+  const WithBall what = choose_with_ball(view, robot, *choice_, hold, situation.their_time, parameters);
+  if (what == WithBall::Release) {
+    if (view.time - released_at_ > go_round_for) released_at_ = view.time;
+    return order_with_ball(view, robot, what, *choice_, hold, view.time - released_at_, parameters);
+  }
+  return order_with_ball(view, robot, what, *choice_, hold, 0, parameters);
+}
 
+skills::Order Winner::fetch(const kit::View& view, const Situation& situation, const kit::Robot& robot,
+                            KickRules rules, const Parameters& parameters) {
+  const kit::Ball& ball = view.ball;
+  const Vector2d to_ball = ball.position - robot.position;
+  if (skills::is_at_wall(view)) return skills::free_from_wall(view, robot);
+  if (ball.velocity.norm() >= slow_ball && to_ball.norm() > 0.25) {
+    return let_come(view, situation, robot, rules, parameters);
+  }
+  redirect_.reset();
+  // It rests or rolls slowly. Round it only when there is time or little to round.
   const Kick& kick = *choice_;
-  if (held < 0.1) {
-    // Just arrived: let the bar take hold before anything turns.
-    skills::Order order;
-    order.why = "hold";
-    order.dribble = true;
-    order.heading = robot.orientation;
-    order.robot_margin = 0;
-    order.velocity = 0.1 * world::direction(robot.orientation);
-    if (std::abs(world::wrap_angle(kick.direction - robot.orientation)) < kick.tolerance) {
-      order.kick_speed = kick.speed;
-      order.kick_angle = kick.angle;
-    }
-    return order;
+  const double off = std::abs(world::wrap_angle(world::angle_of(to_ball) - kick.direction));
+  const bool time_to_round = situation.their_time > situation.meetings[robot.number].time + 0.25 + 0.3 * off;
+  const bool just_released = view.time - released_at_ < go_round_for;
+  if (just_released || (kick.kind != Kick::Kind::Dribble && (off < 0.5 || time_to_round))) {
+    const double speed = kick.kind == Kick::Kind::Dribble ? 0 : kick.speed;
+    return skills::approach_and_kick(view, robot, kick.direction, speed, kick.angle, kick.tolerance);
   }
-  if (let_go) {
-    // Away with it along the present heading, unless that is towards the own goal: then it is only released.
-    skills::Order order;
-    order.why = "let go";
-    order.heading = robot.orientation;
-    order.robot_margin = 0;
-    order.velocity = Vector2d::Zero();
-    const Vector2d ahead = world::direction(robot.orientation);
-    const bool home = ahead.x() < -0.2 && ball.position.x() < 0;
-    if (home) {
-      order.velocity = -0.5 * ahead;
-      return order;
-    }
-    const bool chip = blocked_in_front(view, robot);
-    order.kick_speed = chip ? 3.5 : 2.5;
-    order.kick_angle = chip ? M_PI / 4 : 0;
-    order.velocity = 0.3 * ahead;
-    return order;
+  return skills::capture(view, robot, situation.model);
+}
+
+// A ball that comes: on with one touch when that is a shot, else it is stopped.
+skills::Order Winner::let_come(const kit::View& view, const Situation& situation, const kit::Robot& robot,
+                               KickRules rules, const Parameters& parameters) {
+  const std::optional<skills::Meeting> meeting = skills::arrival(view, robot, situation.model);
+  if (!meeting) redirect_.reset();
+  if (meeting && rules.shot_allowed && view.time - redirect_chosen_at_ >= rethink) {
+    redirect_chosen_at_ = view.time;
+    redirect_ = choose_one_touch(view, robot, *meeting, parameters, redirect_);
   }
-  if (kick.kind != Kick::Kind::Dribble) {
-    return skills::turn_and_kick(view, robot, kick.direction, kick.speed, kick.angle, kick.tolerance);
+  if (meeting && redirect_) {
+    return skills::redirect(view, robot, *meeting, redirect_->direction, redirect_->speed,
+                            redirect_->tolerance);
   }
-  // Carry it: turn towards the goal, then drive slowly enough that the bar keeps the ball.
-  const double error = world::wrap_angle(kick.direction - robot.orientation);
-  if (std::abs(error) > 0.35) return skills::turn_and_kick(view, robot, kick.direction, 0, 0, 0.05);
-  skills::Order order;
-  order.why = "dribble";
-  order.heading = kick.direction;
-  order.max_turn = 2.0;
-  order.dribble = true;
-  order.robot_margin = 0.05;
-  order.velocity = world::direction(robot.orientation) * std::min(1.0, 0.4 + held);
-  (void)situation;
-  return order;
+  return skills::receive(view, robot, situation.model);
+}
+
+std::optional<Kick> choose_one_touch(const kit::View& view, const kit::Robot& robot,
+                                     const skills::Meeting& meeting, const Parameters& parameters,
+                                     const std::optional<Kick>& before) {
+  std::optional<double> aimed;
+  if (before) aimed = before->direction;
+  const skills::Opening opening =
+      skills::opening_to_goal(view, meeting.position, parameters.shot_speed, robot.number, aimed);
+  const double chance = goal_chance(opening.width, (view.their_goal() - meeting.position).norm());
+  if (chance < parameters.shot_threshold + (before ? -0.05 : 0.05)) return {};
+  const double steepest = skills::steepest_redirect + (before ? 0.1 : 0.0);
+  if (skills::redirect_angle(view.ball.velocity, opening.direction) > steepest) return {};
+  Kick kick;
+  kick.kind = Kick::Kind::Shot;
+  kick.target = opening.target;
+  kick.direction = opening.direction;
+  kick.speed = parameters.shot_speed;
+  kick.tolerance = skills::kick_tolerance(opening.width);
+  kick.value = chance;
+  return kick;
 }
 
 }  // namespace reference

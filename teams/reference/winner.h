@@ -18,13 +18,21 @@ class Winner {
   std::optional<int> receiver(const kit::View& view);
 
   const std::optional<Kick>& choice() const { return choice_; }
-  void forget() { choice_.reset(), pass_.reset(), dribble_start_.reset(), robot_ = -1; }
+  /// What the kicker is armed for: the shot at the first touch, else the choice.
+  const std::optional<Kick>& armed() const { return redirect_ ? redirect_ : choice_; }
+  void forget() { choice_.reset(), pass_.reset(), hold_start_.reset(), redirect_.reset(), robot_ = -1; }
 
  private:
   void choose(const kit::View& view, const Situation& situation, const kit::Robot& robot,
               const KickRules& rules, const Parameters& parameters);
+  void watch_the_hold(const kit::View& view, const kit::Robot& robot);
+  skills::Order free_kick(const kit::View& view, const kit::Robot& robot) const;
   skills::Order with_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot,
                           const Parameters& parameters);
+  skills::Order fetch(const kit::View& view, const Situation& situation, const kit::Robot& robot,
+                      KickRules rules, const Parameters& parameters);
+  skills::Order let_come(const kit::View& view, const Situation& situation, const kit::Robot& robot,
+                         KickRules rules, const Parameters& parameters);
 
   struct PassUnderWay {
     int receiver = -1;
@@ -33,11 +41,23 @@ class Winner {
 
   int robot_ = -1;
   std::optional<Kick> choice_;
-  double chosen_at_ = -1;                  // [s] match time
-  std::optional<Vector2d> dribble_start_;  // [m] ball
-  double last_contact_ = -1;               // [s]
-  double holding_since_ = -1;              // [s]
+  double chosen_at_ = -1;  // [s] match time
+  bool holds_ = false;
+  std::optional<Vector2d> hold_start_;  // [m] ball
+  double last_contact_ = -1;            // [s] match time, as all below
+  double holding_since_ = -1;
+  double released_at_ = -9;
+  std::optional<Kick> redirect_;  // the one touch under way
+  double redirect_chosen_at_ = -1;
   std::optional<PassUnderWay> pass_;
 };
+
+/// The shot with one touch at that meeting, when the opening promises a goal and the ball is not to be turned
+/// too far; nothing: stop it.
+///
+/// @param before  the one chosen before: kept with a little less
+std::optional<Kick> choose_one_touch(const kit::View& view, const kit::Robot& robot,
+                                     const skills::Meeting& meeting, const Parameters& parameters,
+                                     const std::optional<Kick>& before);
 
 }  // namespace reference

@@ -3,14 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "teams/kit/ball_course.h"
 #include "teams/skills/intercept.h"
 #include "teams/skills/motion.h"
-#include "teams/skills/steer.h"
 
 namespace skills {
 namespace {
 
+constexpr double orbit_air = 0.03;  // [m] between hull and ball on the way round it
+
 Vector2d left_of(const Vector2d& v) { return {-v.y(), v.x()}; }
+
+double orbit_radius(const kit::Robot& robot, double ball_radius) {
+  return robot.specs.radius + ball_radius + orbit_air;
+}
+
+double orbit_speed(const kit::Robot& robot, double radius) {
+  return std::sqrt(0.9 * driving_limits(robot.specs).acceleration * radius);
+}
+
+// How far round the ball the robot has to go [rad], with sign: counter-clockwise positive.
+double way_round(const kit::Ball& ball, const kit::Robot& robot, double direction) {
+  return world::wrap_angle(direction + M_PI - world::angle_of(robot.position - ball.position));
+}
 
 // Straight through the ball: the ball's own velocity plus a push along the aim, and a correction sideways.
 Vector2d push(const kit::Ball& ball, const kit::Robot& robot, const Vector2d& aim, double speed) {
@@ -21,9 +36,39 @@ Vector2d push(const kit::Ball& ball, const kit::Robot& robot, const Vector2d& ai
 
 }  // namespace
 
+double reach_of(const kit::Robot& robot, double ball_radius) {
+  return robot.specs.center_to_dribbler + ball_radius;
+}
+
 Vector2d behind_ball(const Vector2d& ball, const Vector2d& direction, const kit::Robot& robot,
                      double ball_radius, double gap) {
-  return ball - direction * (robot.specs.center_to_dribbler + ball_radius + gap);
+  return ball - direction * (reach_of(robot, ball_radius) + gap);
+}
+
+Vector2d orbit_velocity(const kit::Ball& ball, const kit::Robot& robot, double direction,
+                        double ball_radius) {
+  Vector2d out = robot.position - ball.position;
+  const double distance = out.norm();
+  out = distance > 1e-6 ? Vector2d(out / distance) : Vector2d(-world::direction(direction));
+  const double left = way_round(ball, robot, direction);
+  const double orbit = orbit_radius(robot, ball_radius);
+  const double contact = reach_of(robot, ball_radius);
+  const double wanted = contact + (orbit - contact) * std::min(std::abs(left) / 0.3, 1.0);
+  // Not yet out on the circle: first away from the ball, or the hull would sweep it along.
+  const double clear = std::clamp((distance - contact) / orbit_air, 0.15, 1.0);
+  const double brake = 0.5 * driving_limits(robot.specs).brake;
+  const double round =
+      clear * std::min(orbit_speed(robot, orbit), std::sqrt(2 * brake * std::abs(left) * orbit));
+  return ball.velocity + left_of(out) * (left < 0 ? -round : round) +
+         out * std::clamp(8.0 * (wanted - distance), -0.6, 0.6);
+}
+
+double orbit_time(const kit::Ball& ball, const kit::Robot& robot, double direction, double ball_radius) {
+  const double radius = orbit_radius(robot, ball_radius);
+  Limits limits = driving_limits(robot.specs);
+  limits.speed = std::min(limits.speed, orbit_speed(robot, radius));
+  const double back_off = 0.2;  // [s] out to the circle and in again
+  return back_off + time_to_rest(std::abs(way_round(ball, robot, direction)) * radius, 0, limits);
 }
 
 Order approach_and_kick(const kit::View& view, const kit::Robot& robot, double direction, double kick_speed,
@@ -43,10 +88,9 @@ Order approach_and_kick(const kit::View& view, const kit::Robot& robot, double d
   const double ahead = to_ball.dot(aim);
   const double sideways = to_ball.dot(left_of(aim));
   const double heading_error = std::abs(world::wrap_angle(robot.orientation - direction));
-  const double contact = robot.specs.center_to_dribbler + ball_radius;
 
   // Two cameras may put robot and ball 40 mm nearer to each other than they are: on, until it touches.
-  const double gap = ahead - contact;
+  const double gap = ahead - reach_of(robot, ball_radius);
   const bool in_the_lane = gap > -0.05 && std::abs(sideways) < 0.02 + 0.15 * std::max(gap, 0.0);
   if (in_the_lane && heading_error < 0.3 && ahead < 0.6) {
     order.velocity = push(ball, robot, aim, std::clamp(0.25 + 4.0 * gap, 0.3, 1.5));
@@ -57,6 +101,11 @@ Order approach_and_kick(const kit::View& view, const kit::Robot& robot, double d
     }
     return order;
   }
+  if ((view.ball.position - robot.position).norm() < 0.3 && view.ball.velocity.norm() < 1.0 && !ball.flies) {
+    order.why = "orbit";
+    order.velocity = orbit_velocity(view.ball, robot, direction, ball_radius);
+    return order;
+  }
   // Not behind it yet: a place behind, round the ball.
   order.target = behind_ball(ball.position, aim, robot, ball_radius, 0.06);
   order.ball_distance = 0.025;
@@ -64,8 +113,7 @@ Order approach_and_kick(const kit::View& view, const kit::Robot& robot, double d
 }
 
 Order capture(const kit::View& view, const kit::Robot& robot, const kit::BallModel& model) {
-  const double ball_radius = view.field().ball_radius;
-  const double contact = robot.specs.center_to_dribbler + ball_radius;
+  const double contact = reach_of(robot, view.field().ball_radius);
   const Limits limits = driving_limits(robot.specs);
   const Meeting meeting = meet(view, robot, limits, model, contact, 0.05);
   const Vector2d to_ball = view.ball.position - robot.position;
@@ -88,53 +136,90 @@ Order capture(const kit::View& view, const kit::Robot& robot, const kit::BallMod
   return order;
 }
 
-Order turn_and_kick(const kit::View& view, const kit::Robot& robot, double direction, double kick_speed,
-                    double kick_angle, double tolerance) {
+Order release(const kit::Robot& robot, double since) {
   Order order;
-  order.why = "turn";
-  order.dribble = true;
-  order.robot_margin = 0.0;
-  order.heading = direction;
-  order.max_turn =
-      4.0;  // [rad/s] faster loses the ball: m w^2 rho against friction (reference "football", 2.10)
-  const double error = world::wrap_angle(direction - robot.orientation);
-  // Turn about the ball rather than about ourselves: the centre swings round it, pressing gently forwards.
-  const double rate = turning(robot, direction, order.max_turn);
-  const double arm = robot.specs.center_to_dribbler + view.field().ball_radius;
-  const Vector2d heading = world::direction(robot.orientation);
-  order.velocity = heading * 0.15 - left_of(heading) * (rate * arm) * 0.7;
-  if (std::abs(error) < tolerance && std::abs(robot.angular_velocity) < 3.0) {
-    order.kick_speed = kick_speed;
-    order.kick_angle = kick_angle;
+  order.why = "release";
+  order.heading = robot.orientation;
+  order.robot_margin = 0;
+  order.velocity = Vector2d::Zero();
+  if (since < 0.05) {  // [s] three ticks: the simulator's bar changes the spin in one
+    order.dribble = true;
+    order.dribble_share = 0.03;
+  } else {
+    order.velocity = -0.5 * world::direction(robot.orientation);
   }
   return order;
 }
 
-Order receive(const kit::View& view, const kit::Robot& robot, const kit::BallModel& model) {
-  const double ball_radius = view.field().ball_radius;
-  const double contact = robot.specs.center_to_dribbler + ball_radius;
-  const Limits limits = driving_limits(robot.specs);
-  const Meeting meeting = meet(view, robot, limits, model, contact, 0.1);
-  const double speed = view.ball.velocity.norm();
-  if (speed < 0.4 || !meeting.before_it_stops) {
-    Order order = capture(view, robot, model);
-    order.why = "fetch";
+Order kick_ahead(const kit::View& view, const kit::Robot& robot, double speed) {
+  Order order;
+  order.why = "kick ahead";
+  order.heading = robot.orientation;
+  order.robot_margin = 0;
+  const Vector2d ahead = world::direction(robot.orientation);
+  order.velocity = 0.3 * ahead;
+  order.dribble = true;
+  order.kick_speed = speed;
+  for (const kit::Robot& other : view.opponents) {
+    const Vector2d to = other.position - robot.position;
+    const double forward = to.dot(ahead);
+    if (forward > 0 && forward < 0.5 && std::abs(to.dot(left_of(ahead))) < 0.1) {
+      order.kick_speed = 3.5;  // [m/s] at 45 degrees: 1.2 m to the first landing
+      order.kick_angle = M_PI / 4;
+    }
+  }
+  return order;
+}
+
+Order carry(const kit::Robot& robot, double heading, double speed) {
+  Order order;
+  order.why = "dribble";
+  order.heading = heading;
+  order.max_turn = 2.0;
+  order.dribble = true;
+  order.robot_margin = 0.05;
+  order.velocity = world::direction(robot.orientation) * speed;
+  return order;
+}
+
+bool is_at_wall(const kit::View& view) {
+  // A robot behind the ball needs its diameter and a little between ball and wall.
+  const double room = view.field().boundary_width - 0.25;
+  return world::distance_outside_lines(view.field(), view.ball.position) > room;
+}
+
+Order free_from_wall(const kit::View& view, const kit::Robot& robot) {
+  const world::Field& field = view.field();
+  const kit::Ball& ball = view.ball;
+  // Away from the nearer wall, or from both in a corner.
+  const double edge = field.boundary_width - 0.25;
+  Vector2d inwards = Vector2d::Zero();
+  if (std::abs(ball.position.x()) > field.half_length() + edge) inwards.x() = ball.position.x() > 0 ? -1 : 1;
+  if (std::abs(ball.position.y()) > field.half_width() + edge) inwards.y() = ball.position.y() > 0 ? -1 : 1;
+  if (inwards.norm() < 0.5) inwards = -ball.position;
+  inwards.normalize();
+  Order order;
+  order.why = "free from wall";
+  order.heading = world::angle_of(-inwards);
+  order.robot_margin = 0;
+  order.dribble = true;
+  const double contact = reach_of(robot, field.ball_radius);
+  if (kit::holds_ball(robot, ball, field.ball_radius)) {
+    // The bar holds a ball that is pulled with up to 5 m/s^2.
+    const double speed = -robot.velocity.dot(-inwards);
+    order.velocity = inwards * std::min(speed + 0.04, 0.8);
     return order;
   }
-  const Vector2d along = view.ball.velocity / speed;
-  Order order;
-  order.why = "receive";
-  order.dribble = true;
-  order.heading = world::angle_of(-along);
-  order.robot_margin = 0.0;
-  order.target = meeting.position + along * contact;
-  // Already on its line: wait there rather than running away from the ball along it.
-  const Vector2d from_ball = robot.position - view.ball.position;
-  const double ahead = from_ball.dot(along);
-  const double beside = from_ball.dot(left_of(along));
-  if (ahead > 0 && std::abs(beside) < 0.25 && ahead < model.stopping_distance(speed, view.ball.rolls_below)) {
-    order.target = view.ball.position + along * std::max(ahead, contact);
+  const Vector2d to_ball = ball.position - robot.position;
+  const double beside = to_ball.dot(left_of(inwards));
+  const double gap = -to_ball.dot(inwards) - contact;
+  if (gap > -0.05 && std::abs(beside) < 0.03 + 0.1 * std::max(gap, 0.0)) {
+    order.velocity = ball.velocity - inwards * std::clamp(0.2 + 2.0 * gap, 0.2, 1.0) -
+                     left_of(inwards) * std::clamp(-4.0 * beside, -0.4, 0.4);
+    return order;
   }
+  order.target = ball.position + inwards * (contact + 0.06);
+  order.ball_distance = 0.02;
   return order;
 }
 

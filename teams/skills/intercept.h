@@ -8,6 +8,10 @@
 
 namespace skills {
 
+/// A flying ball higher than this [m] is not stopped by a robot's front: robots are 0.15 m high, the ball's
+/// radius and the filter's error of height go off (reference "football", 2.4: 0.12 to 0.15 m).
+inline constexpr double highest_capture = 0.1;
+
 /// Where and when a robot can meet the ball.
 struct Meeting {
   Vector2d position = Vector2d::Zero();  ///< [m] of the ball
@@ -18,7 +22,8 @@ struct Meeting {
 /// The earliest place on the ball's way that the robot reaches `reserve` seconds before the ball; where the
 /// ball comes to rest (or leaves the field) when there is none.
 ///
-/// 8 samples over at most 2.5 s, then the sign change is refined by regula falsi.
+/// 8 samples over at most 2.5 s, then the sign change is refined by regula falsi. A ball in the air
+/// is met where it is low enough: before its first landing seldom, between low hops or rolling.
 ///
 /// @param reach  distance from the robot's centre to the ball when it has it [m]
 /// Source  reference "football", 2.4

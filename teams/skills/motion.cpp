@@ -13,8 +13,7 @@ Limits driving_limits(const world::RobotSpecs& specs, double share) {
 }
 
 Limits turning_limits(const world::RobotSpecs& specs, double share) {
-  const double acceleration = specs.max_angular_acceleration * share;
-  return {specs.max_angular_speed, acceleration, acceleration};
+  return {specs.max_angular_speed, specs.max_angular_acceleration * share, specs.max_angular_brake * share};
 }
 
 Profile::Profile(double distance, double speed, const Limits& limits) : speed_(speed) {

@@ -29,6 +29,7 @@ struct Order {
   double kick_speed = 0;  ///< [m/s]
   double kick_angle = 0;  ///< [rad]
   bool dribble = false;
+  double dribble_share = 1;  ///< of the bar's full speed
 };
 
 }  // namespace skills

@@ -102,7 +102,7 @@ world::RobotCommand Steering::command(const kit::View& view, const kit::Robot& r
   command.velocity_local = world::rotated(velocity, -heading);
   command.kick_speed = order.kick_speed;
   command.kick_angle = order.kick_angle;
-  command.dribbler_speed = order.dribble ? dribbler_speed : 0;
+  command.dribbler_speed = order.dribble ? dribbler_speed * order.dribble_share : 0;
   return command;
 }
 
