@@ -44,6 +44,11 @@ Kick clearance(const kit::View& view, const Situation& situation, int kicker, bo
 
 }  // namespace
 
+double time_to_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot) {
+  if (kit::holds_ball(robot, view.ball, view.field().ball_radius)) return 0;
+  return situation.meetings[robot.number].time;
+}
+
 const char* name(Kick::Kind kind) {
   switch (kind) {
     case Kick::Kind::Shot:
@@ -60,7 +65,8 @@ const char* name(Kick::Kind kind) {
 
 namespace {
 
-constexpr double keep = 0.05;  // of value, in favour of the choice before
+constexpr double keep = 0.05;    // of value, in favour of the choice before
+constexpr double notices = 0.1;  // [s] until the receiver sees that the ball was kicked
 
 std::optional<Kick> shot(const kit::View& view, int kicker, const Parameters& parameters,
                          const std::optional<Kick>& before) {
@@ -111,9 +117,9 @@ std::optional<Kick> pass_to(const kit::View& view, const Situation& situation, c
     }
   }
   const double turn = std::abs(world::wrap_angle(kick.direction - kicker.orientation));
-  const double kick_time = situation.meetings[kicker.number].time + 0.1 + turn / 5.0;  // [rad/s] of a turn
+  const double kick_time = time_to_ball(view, situation, kicker) + turn / 5.0;  // [rad/s] of a turn
   const double own =
-      skills::travel_time(target - mate.position, mate.velocity, skills::driving_limits(mate.specs));
+      notices + skills::travel_time(target - mate.position, mate.velocity, skills::driving_limits(mate.specs));
   kick.value = reception.value() * reach_chance(own, kick_time + reception.ball_time);
   return kick;
 }

@@ -39,6 +39,9 @@ struct KickRules {
   std::span<const PassTarget> targets{};
 };
 
+/// Until the robot has the ball [s]; 0 when it holds it.
+double time_to_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot);
+
 /// The best use of the ball where it lies: a shot when the opening promises a goal, else the best pass, else
 /// forward with the ball; from near the own goal away with it.
 ///

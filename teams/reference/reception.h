@@ -35,7 +35,10 @@ double reach_chance(double own_time, double ball_time);
 /// Chance of a goal by a shot from that point: the widest opening against 0.3 rad, nothing from afar.
 ///
 /// Source  reference "football", 2.5
-double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter);
+///
+/// @param later  [s] until the shot, for their goalkeeper
+double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter,
+                   double later = 0);
 double goal_chance(double opening_width, double distance);
 
 /// How good the angle at `point` between the ball's way in and the way to their goal is for a shot at the

@@ -9,6 +9,7 @@ namespace {
 
 constexpr int think_every = 6;      // ticks: 10 Hz
 constexpr double replan = 1.0;      // [s] (reference "football", 2.10)
+constexpr double late_start = 0.3;  // [s] a receiver needs to see that the ball was kicked
 constexpr double undecided = 0.15;  // [m] the ball must be over the middle line to change its side
 
 // How far a robot gets from rest to rest in that time [m].
@@ -65,8 +66,9 @@ void Supports::think(const kit::View& view, const Situation& situation, const Ro
 
   // Until the pass can be played: nobody knows while the ball is not ours.
   double kick_time = 9;
-  if (situation.possession == Possession::Ours && roles.winner >= 0) {
-    kick_time = std::min(situation.meetings[static_cast<std::size_t>(roles.winner)].time + 0.2, 8.9);
+  const kit::Robot* winner = kit::find(view.own, roles.winner);
+  if (situation.possession == Possession::Ours && winner != nullptr) {
+    kick_time = std::min(time_to_ball(view, situation, *winner) + 0.2, 8.9);
   }
   const bool zones = parameters.attack == "zones";
   if (zones) plan_zones(view, robots);
@@ -114,8 +116,9 @@ skills::Order Supports::play(const kit::View& view, const kit::Robot& robot) con
     order.target = member.place.position;
     const Vector2d back = robot.position - order.target;
     const double distance = back.norm();
-    const double ahead =
-        std::min({way_in(member.place.ball_time, skills::driving_limits(robot.specs)), 0.5, distance});
+    const double ahead = std::min(
+        {way_in(std::max(0.0, member.place.ball_time - late_start), skills::driving_limits(robot.specs)),
+         getenv("HOLD") ? atof(getenv("HOLD")) : 0.5, distance});
     if (distance > 1e-6) order.target += back * (ahead / distance);
   }
   return order;

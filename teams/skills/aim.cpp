@@ -81,17 +81,35 @@ Opening widest_opening(const Vector2d& from, const world::Segment& segment, std:
   return best;
 }
 
+Vector2d goalie_later(const kit::View& view, const kit::Robot& goalie, const Vector2d& ball, double later) {
+  const Vector2d goal = view.their_goal();
+  const Vector2d out = ball - goal;
+  const double far = out.norm();
+  if (far < 1e-6) return goalie.position;
+  const double before_goal = std::clamp((goalie.position - goal).norm(), 0.1, 0.6);
+  const Vector2d wanted = goal + out * (std::min(before_goal, far) / far);
+  const Vector2d way = wanted - goalie.position;
+  const double length = way.norm();
+  const double time = std::max(0.0, later - 0.12);
+  // From rest to rest: d = t^2 / (2 (1 / a + 1 / b)).
+  const double reached = time * time / (2 * (1 / goalie.specs.max_acceleration + 1 / goalie.specs.max_brake));
+  return reached >= length ? wanted : Vector2d(goalie.position + way * (reached / length));
+}
+
 Opening opening_to_goal(const kit::View& view, const Vector2d& from, double kick_speed, int shooter,
-                        std::optional<double> preferred) {
+                        std::optional<double> preferred, double later) {
   const world::Field& field = view.field();
   std::array<Blocker, most_blockers> blockers;
   std::size_t count = 0;
   for (const kit::Robot& robot : view.opponents) {
     if (count == blockers.size()) break;
-    const double flight = (robot.position - from).norm() / std::max(kick_speed, 1.0);
+    const Vector2d position = later > 0 && robot.number == view.game.their_keeper
+                                  ? goalie_later(view, robot, from, later)
+                                  : robot.position;
+    const double flight = (position - from).norm() / std::max(kick_speed, 1.0);
     const double free = std::max(0.0, flight - 0.12);
     const double covered = std::min(0.5 * robot.specs.max_acceleration * free * free, 0.25);
-    blockers[count++] = {robot.position, robot.specs.radius + field.ball_radius + covered};
+    blockers[count++] = {position, robot.specs.radius + field.ball_radius + covered};
   }
   for (const kit::Robot& robot : view.own) {
     if (robot.number == shooter || count == blockers.size()) continue;
