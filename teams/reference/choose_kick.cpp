@@ -118,8 +118,8 @@ std::optional<Kick> pass_to(const kit::View& view, const Situation& situation, c
   }
   const double turn = std::abs(world::wrap_angle(kick.direction - kicker.orientation));
   const double kick_time = time_to_ball(view, situation, kicker) + turn / 5.0;  // [rad/s] of a turn
-  const double own =
-      notices + skills::travel_time(target - mate.position, mate.velocity, skills::driving_limits(mate.specs));
+  const double own = notices + skills::travel_time(target - mate.position, mate.velocity,
+                                                   skills::driving_limits(mate.specs));
   kick.value = reception.value() * reach_chance(own, kick_time + reception.ball_time);
   return kick;
 }

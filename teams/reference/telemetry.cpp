@@ -34,14 +34,6 @@ void Telemetry::follow_pass(const kit::View& view) {
     return kit::holds_ball(robot, view.ball, view.field().ball_radius);
   };
   if (view.game.phase != kit::Phase::Running || view.time - flight_->at > 4) {
-    if (getenv("TRACE"))
-      fprintf(stderr,
-              "lost kind %d phase %d after %.2f, kicker %d receiver %d from %.2f %.2f to %.2f %.2f speed "
-              "%.2f angle %.2f val %.2f ball %.2f %.2f\n",
-              int(flight_->kind), int(view.game.phase), view.time - flight_->at, flight_->kicker,
-              flight_->kick.receiver, flight_->from.x(), flight_->from.y(), flight_->kick.target.x(),
-              flight_->kick.target.y(), flight_->kick.speed, flight_->kick.angle, flight_->kick.value,
-              view.ball.position.x(), view.ball.position.y());
     flight_.reset();
     return;
   }
@@ -78,19 +70,10 @@ void Telemetry::update(const kit::View& view, const Situation& situation, const 
       received_at_ = view.time;
       counts_.redirects += armed_->kind == Kick::Kind::Shot;
     }
-    if (getenv("TRACE") && armed_->kind == Kick::Kind::Pass) {
-      const kit::Robot* m = kit::find(view.own, armed_->receiver);
-      fprintf(stderr,
-              "PASS t %.2f kicker %d receiver %d at %.2f %.2f v %.2f %.2f from %.2f %.2f to %.2f %.2f speed "
-              "%.2f val %.2f\n",
-              view.time, armed_robot_, armed_->receiver, m->position.x(), m->position.y(), m->velocity.x(),
-              m->velocity.y(), view.ball.position.x(), view.ball.position.y(), armed_->target.x(),
-              armed_->target.y(), armed_->speed, armed_->value);
-    }
     counts_.passes += armed_->kind == Kick::Kind::Pass;
     counts_.shots += armed_->kind == Kick::Kind::Shot;
     counts_.clearances += armed_->kind == Kick::Kind::Clear;
-    flight_ = Flight{armed_->kind, armed_robot_, view.time, *armed_, view.ball.position};
+    flight_ = Flight{armed_->kind, armed_robot_, view.time};
     armed_.reset();
   }
   if (kicked) {

@@ -48,8 +48,6 @@ class Telemetry {
     Kick::Kind kind = Kick::Kind::Pass;
     int kicker = -1;
     double at = 0;  // [s]
-    Kick kick{};
-    Vector2d from{};
   };
   std::optional<Kick> armed_;
   double armed_at_ = -9;

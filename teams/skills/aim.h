@@ -38,6 +38,10 @@ Opening widest_opening(const Vector2d& from, const world::Segment& segment, std:
 Opening opening_to_goal(const kit::View& view, const Vector2d& from, double kick_speed, int shooter,
                         std::optional<double> preferred = {}, double later = 0);
 
+/// Only its width [rad], without the trigonometry of the rest.
+double width_to_goal(const kit::View& view, const Vector2d& from, double kick_speed, int shooter,
+                     double later = 0);
+
 /// Where their goalkeeper will be after `later` seconds when the ball goes to `ball`: on the way from there
 /// to the middle of the goal, as far from the goal as now.
 ///
