@@ -40,7 +40,7 @@ void ReferenceTeam::play(const kit::View& real, world::TeamCommands& out) {
   }
   std::optional<Kick> kicked;
   if (roles_.winner >= 0 && orders_[static_cast<std::size_t>(roles_.winner)].kick_speed > 0) {
-    kicked = winner_.armed();
+    kicked = winner_.choice();
   }
   telemetry_.update(view, situation, roles_, supports_tactic_.partition(), kicked);
   if (notes_) write_note(view, situation);

@@ -17,9 +17,8 @@ class Winner {
   /// The team-mate a pass is on its way to, as long as it may arrive.
   std::optional<int> receiver(const kit::View& view);
 
-  const std::optional<Kick>& choice() const { return choice_; }
-  /// What the kicker is armed for: the shot at the first touch, else the choice.
-  const std::optional<Kick>& armed() const { return redirect_ ? redirect_ : choice_; }
+  /// What it is about to do: the one touch under way, else the choice.
+  const std::optional<Kick>& choice() const { return redirect_ ? redirect_ : choice_; }
   void forget() { choice_.reset(), pass_.reset(), hold_start_.reset(), redirect_.reset(), robot_ = -1; }
 
  private:
@@ -30,13 +29,19 @@ class Winner {
   skills::Order with_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot,
                           const Parameters& parameters);
   skills::Order fetch(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                      KickRules rules, const Parameters& parameters);
+                      const KickRules& rules, const Parameters& parameters);
   skills::Order let_come(const kit::View& view, const Situation& situation, const kit::Robot& robot,
-                         KickRules rules, const Parameters& parameters);
+                         const KickRules& rules, const Parameters& parameters);
+
+  std::optional<Kick> pass_on(const kit::View& view, const Situation& situation, const kit::Robot& robot,
+                              const skills::Meeting& meeting, const Parameters& parameters) const;
 
   struct PassUnderWay {
     int receiver = -1;
+    Vector2d direction = Vector2d::UnitX();
+    double armed_at = 0;
     double until = 0;  // [s] match time
+    bool kicked = false;
   };
 
   int robot_ = -1;
