@@ -5,6 +5,7 @@
 
 #include "teams/skills/aim.h"
 #include "teams/skills/ball_handling.h"
+#include "teams/skills/turn_dribble.h"
 
 namespace longball {
 namespace {
@@ -32,12 +33,10 @@ double room_around(const kit::View& view, const Vector2d& point) {
 skills::Order kick_long(const kit::View& view, const kit::Robot& robot, const reference::Roles& roles,
                         const Style& style, const skills::Order& polite) {
   const LongKick kick = long_kick(view, roles, robot, style);
-  if (kit::holds_ball(robot, view.ball, view.field().ball_radius) &&
-      std::abs(world::wrap_angle(kick.direction - robot.orientation)) > tolerance) {
-    return polite;  // turn as the reference team does
-  }
+  const bool holds = kit::holds_ball(robot, view.ball, view.field().ball_radius);
   skills::Order order =
-      skills::approach_and_kick(view, robot, kick.direction, kick.speed, kick.angle, tolerance);
+      holds ? skills::turn_and_kick(view, robot, kick.direction, kick.speed, kick.angle, tolerance)
+            : skills::approach_and_kick(view, robot, kick.direction, kick.speed, kick.angle, tolerance);
   order.why = kick.angle > 0 ? "long chip" : "long ball";
   order.their_area = polite.their_area;
   order.enter_own_area = polite.enter_own_area;
@@ -100,8 +99,9 @@ std::unique_ptr<kit::Team> make_team(const kit::Setup& setup, reference::Paramet
       case reference::Role::Winner: {
         // Near their goal, and while the ball rolls to somebody, it plays like everybody else.
         const bool close = (view.their_goal() - view.ball.position).norm() < style.shooting_range;
-        const bool at_ball = (view.ball.position - robot.position).norm() < 0.5;
-        if (close || !at_ball || order.kick_speed > 6) return;
+        const bool at_ball = (view.ball.position - robot.position).norm() < 0.3;
+        const bool comes = view.ball.velocity.norm() > 1.0;
+        if (close || !at_ball || comes || order.kick_speed > 6) return;
         order = kick_long(view, robot, roles, style, order);
         return;
       }

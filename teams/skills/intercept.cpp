@@ -29,11 +29,18 @@ Meeting meet(const kit::View& view, const kit::Robot& robot, const Limits& limit
   double before = 0;
   double late_before = lateness(0);
   if (late_before <= 0 && !too_high(0)) return {ball.position, 0, true};
-  for (int i = 1; i <= samples; ++i) {
-    const double now = horizon * i / samples;
+  // When it passes the robot: the chance to meet it there may be shorter than the samples are apart.
+  double passing = 2 * horizon;
+  const double ahead = course.along().dot(robot.position - ball.position) - reach;
+  if (ahead > 0 && !course.flies()) passing = model.time_to_cover(speed, ball.rolls_below, ahead);
+  for (int i = 1; i <= samples;) {
+    const double regular = horizon * i / samples;
+    const bool passes_first = passing > before && passing < regular;
+    const double now = passes_first ? passing : regular;
+    if (!passes_first) ++i;
     const Vector2d spot = course.position(now);
     if (world::distance_outside_lines(field, spot) > 0.2) return at_rest(course.position(before));
-    double late = lateness(now);
+    const double late = lateness(now);
     if (late <= 0 && !too_high(now)) {
       double low = before, high = now, late_low = late_before, late_high = late;
       for (int k = 0; k < 3; ++k) {
