@@ -44,6 +44,11 @@ Kick clearance(const kit::View& view, const Situation& situation, int kicker, bo
 
 }  // namespace
 
+double time_to_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot) {
+  if (kit::holds_ball(robot, view.ball, view.field().ball_radius)) return 0;
+  return situation.meetings[robot.number].time;
+}
+
 const char* name(Kick::Kind kind) {
   switch (kind) {
     case Kick::Kind::Shot:
@@ -60,7 +65,8 @@ const char* name(Kick::Kind kind) {
 
 namespace {
 
-constexpr double keep = 0.05;  // of value, in favour of the choice before
+constexpr double keep = 0.05;    // of value, in favour of the choice before
+constexpr double notices = 0.1;  // [s] until the receiver sees that the ball was kicked
 
 std::optional<Kick> shot(const kit::View& view, int kicker, const Parameters& parameters,
                          const std::optional<Kick>& before) {
@@ -111,9 +117,9 @@ std::optional<Kick> pass_to(const kit::View& view, const Situation& situation, c
     }
   }
   const double turn = std::abs(world::wrap_angle(kick.direction - kicker.orientation));
-  const double kick_time = situation.meetings[kicker.number].time + 0.1 + turn / 5.0;  // [rad/s] of a turn
-  const double own =
-      skills::travel_time(target - mate.position, mate.velocity, skills::driving_limits(mate.specs));
+  const double kick_time = time_to_ball(view, situation, kicker) + turn / 5.0;  // [rad/s] of a turn
+  const double own = notices + skills::travel_time(target - mate.position, mate.velocity,
+                                                   skills::driving_limits(mate.specs));
   kick.value = reception.value() * reach_chance(own, kick_time + reception.ball_time);
   return kick;
 }
@@ -158,27 +164,6 @@ Kick choose_kick(const kit::View& view, const Situation& situation, int kicker_n
     return carry;
   }
   return clearance(view, situation, kicker_number, ball.x() > -2);
-}
-
-std::optional<Kick> choose_redirect(const kit::View& view, const Situation& situation, int receiver,
-                                    const KickRules& rules, const Parameters& parameters) {
-  const double speed = view.ball.velocity.norm();
-  if (!rules.shot_allowed || speed < 1.0) return {};
-  const Vector2d point = situation.meetings[static_cast<std::size_t>(receiver)].position;
-  const Vector2d back = -view.ball.velocity / speed;
-  const skills::Opening opening = skills::opening_to_goal(view, point, parameters.shot_speed, receiver);
-  const double turn = std::abs(world::wrap_angle(opening.direction - world::angle_of(back)));
-  if (turn > most_deflection) return {};
-  const double chance = goal_chance(opening.width, (view.their_goal() - point).norm());
-  if (chance <= parameters.shot_threshold) return {};
-  Kick kick;
-  kick.kind = Kick::Kind::Shot;
-  kick.target = opening.target;
-  kick.direction = opening.direction;
-  kick.speed = parameters.shot_speed;
-  kick.tolerance = skills::kick_tolerance(opening.width);
-  kick.value = chance;
-  return kick;
 }
 
 }  // namespace reference

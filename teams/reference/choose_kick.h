@@ -39,19 +39,14 @@ struct KickRules {
   std::span<const PassTarget> targets{};
 };
 
+/// Until the robot has the ball [s]; 0 when it holds it.
+double time_to_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot);
+
 /// The best use of the ball where it lies: a shot when the opening promises a goal, else the best pass, else
 /// forward with the ball; from near the own goal away with it.
 ///
 /// @param before  the choice of the tick before: kept unless another is better by 0.05
 Kick choose_kick(const kit::View& view, const Situation& situation, int kicker, const KickRules& rules,
                  const Parameters& parameters, const std::optional<Kick>& before);
-
-/// For the robot a moving ball comes to: a shot at the first touch, when the opening from the meeting point
-/// promises a goal and the ball need not be deflected by more than 60 degrees.
-///
-/// @return  nothing: stop the ball first
-/// Source   reference "football", 2.4 (one-touch) and 2.6
-std::optional<Kick> choose_redirect(const kit::View& view, const Situation& situation, int receiver,
-                                    const KickRules& rules, const Parameters& parameters);
 
 }  // namespace reference

@@ -16,7 +16,7 @@ void declare(kit::Flags& flags, Parameters& p) {
             "turn with the ball at the dribbler (off: let go and go round it)");
   flags.add("turn-rate", p.turn_rate, 1.0, 9.0, "rate of turns with the ball [rad/s]");
   flags.add("kick-delay", p.kick_delay, 0.0, 5.0, "wait before a free kick [s]");
-  flags.add("defenders", p.defenders, 0, 4, "defenders besides the goalkeeper while we have the ball");
+  flags.add("defenders", p.defenders, 0, 4, "defenders besides the goalkeeper while nobody has the ball");
 }
 
 }  // namespace reference

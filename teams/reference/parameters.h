@@ -21,7 +21,7 @@ struct Parameters {
   double kick_delay = 0.5;         ///< [s] after the referee's signal before a free kick is taken
   bool turn_dribble = true;  ///< feature D: turn with the ball at the dribbler; else let go and go round it
   double turn_rate = 8;      ///< [rad/s] of such turns; 9 is the last row of the measured table
-  int defenders = 3;         ///< besides the goalkeeper, while we have the ball
+  int defenders = 2;         ///< besides the goalkeeper, while nobody has the ball
 };
 
 /// Makes each of them a flag with its range.

@@ -12,6 +12,9 @@ namespace {
 constexpr double weight_of_goal = 0.7;  // w_s; w_a is the rest (ours)
 // From farther than this [m] a shot is no threat: the goalie has all the time (ours).
 constexpr double far_shot = 5.5;
+constexpr double shot_from = 4.0;     // [m] from their goal: a pass there is played for a shot (ours)
+constexpr double hopeless = 0.03;     // safety below which nobody asks what would follow
+constexpr double time_to_turn = 0.6;  // [s] to stop the ball and turn with it (ours)
 
 }  // namespace
 
@@ -22,10 +25,11 @@ double goal_chance(double opening_width, double distance) {
   return std::min(1.0, opening_width / 0.3) * far;  // 0.3 rad: reference "football", 2.5
 }
 
-double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter) {
+double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter,
+                   double later) {
   const double distance = (view.their_goal() - point).norm();
   if (distance >= far_shot) return 0;
-  return goal_chance(skills::opening_to_goal(view, point, shot_speed, shooter).width, distance);
+  return goal_chance(skills::width_to_goal(view, point, shot_speed, shooter, later), distance);
 }
 
 double redirect_share(const kit::View& view, const Vector2d& from, const Vector2d& point) {
@@ -46,14 +50,15 @@ Reception reception_at(const kit::View& view, const kit::BallModel& model, const
   const world::Field& field = view.field();
   const double length = (point - from).norm();
   const double share = redirect_share(view, from, point);
-  r.goal = goal_chance(view, point, 6.5, receiver);
   // 3.5 m/s where the ball may be shot on at once, 2.2 where it is to be held (reference "football", 2.6).
-  const bool one_touch = share >= 1 && r.goal > 0.15;
-  r.goal *= share;
+  const bool near = (view.their_goal() - point).norm() < shot_from;
+  const bool one_touch = near && share >= 1;
   const skills::Pass pass = skills::plan_pass(view, model, from, point, one_touch ? 3.5 : 2.2);
   r.speed = pass.speed;
   r.ball_time = pass.time;
   r.safety = pass.safety;
+  const double later = pass.time + (one_touch ? 0.0 : time_to_turn);
+  if (r.safety > hopeless) r.goal = share * goal_chance(view, point, 6.5, receiver, later);
   const double up = std::clamp((point.x() + field.half_length()) / field.length, 0.0, 1.0);
   const double apart = std::clamp((length - 0.5) / 1.0, 0.0, 1.0);  // 1.5 m and more are far enough
   r.advance = up * apart;

@@ -35,14 +35,14 @@ double reach_chance(double own_time, double ball_time);
 /// Chance of a goal by a shot from that point: the widest opening against 0.3 rad, nothing from afar.
 ///
 /// Source  reference "football", 2.5
-double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter);
+///
+/// @param later  [s] until the shot, for their goalkeeper
+double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter,
+                   double later = 0);
 double goal_chance(double opening_width, double distance);
 
 /// How good the angle at `point` between the ball's way in and the way to their goal is for a shot at the
 /// first touch: 1 up to 60 degrees, falling to 0.4 at 120, where it must be stopped and turned.
 double redirect_share(const kit::View& view, const Vector2d& from, const Vector2d& point);
-
-/// The deflection up to which a ball is shot at the first touch [rad].
-constexpr double most_deflection = 1.047;
 
 }  // namespace reference

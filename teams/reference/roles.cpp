@@ -130,8 +130,8 @@ Formation formation(int field_players, Possession possession, double ball_x, con
   f.winners = 1;
   const int rest = field_players - 1;
   int defenders = parameters.defenders;
-  if (possession == Possession::Theirs && ball_x < 0) defenders += 1;
-  if (possession == Possession::Ours && ball_x > 1.0) defenders -= 1;
+  if (possession == Possession::Theirs) defenders += ball_x < 0 ? 2 : 1;
+  if (possession == Possession::Ours && ball_x > -0.5) defenders -= 1;
   // Never all in defence, never none: at least one in front when three or more are left.
   defenders = std::clamp(defenders, std::min(rest, 1), rest >= 3 ? rest - 1 : rest);
   if (rest == 2) defenders = possession == Possession::Theirs ? 2 : 1;

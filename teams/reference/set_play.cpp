@@ -47,7 +47,7 @@ std::optional<Vector2d> set_play_place(const kit::View& view, int index, int cou
     case SetPlay::Kickoff: {
       if (index > 1) return {};
       const double side = count == 1 ? near : index == 0 ? 1.0 : -1.0;
-      return Vector2d(-0.25, side * 0.6 * field.half_width());
+      return Vector2d(-0.2, side * 0.5 * field.half_width());
     }
     case SetPlay::Corner:
       if (index == 0) return Vector2d(goal_line - 1.5, -near * 0.9);   // far post
@@ -67,7 +67,7 @@ std::optional<Vector2d> set_play_place(const kit::View& view, int index, int cou
 
 Vector2d set_play_target(const kit::View& view, const Vector2d& place) {
   // The kickoff goes into their half, where the runner meets it.
-  if (set_play(view) == SetPlay::Kickoff) return {1.0, place.y()};
+  if (set_play(view) == SetPlay::Kickoff) return {0.25, place.y()};
   return place;
 }
 

@@ -9,6 +9,8 @@ namespace {
 
 constexpr int think_every = 6;      // ticks: 10 Hz
 constexpr double replan = 1.0;      // [s] (reference "football", 2.10)
+constexpr double late_start = 0.3;  // [s] a receiver needs to see that the ball was kicked
+constexpr double most_ahead = 0.3;  // [m] from the place of the pass
 constexpr double undecided = 0.15;  // [m] the ball must be over the middle line to change its side
 
 // How far a robot gets from rest to rest in that time [m].
@@ -61,12 +63,13 @@ void Supports::think(const kit::View& view, const Situation& situation, const Ro
   }
   if (count == 0) return;
   const std::span robots(found.data(), count);
-  map_.refresh(view, situation.model, partition_);
+  map_.refresh(view, situation.model, partition_, situation.possession != Possession::Theirs);
 
   // Until the pass can be played: nobody knows while the ball is not ours.
   double kick_time = 9;
-  if (situation.possession == Possession::Ours && roles.winner >= 0) {
-    kick_time = std::min(situation.meetings[static_cast<std::size_t>(roles.winner)].time + 0.2, 8.9);
+  const kit::Robot* winner = kit::find(view.own, roles.winner);
+  if (situation.possession == Possession::Ours && winner != nullptr) {
+    kick_time = std::min(time_to_ball(view, situation, *winner) + 0.2, 8.9);
   }
   const bool zones = parameters.attack == "zones";
   if (zones) plan_zones(view, robots);
@@ -114,8 +117,9 @@ skills::Order Supports::play(const kit::View& view, const kit::Robot& robot) con
     order.target = member.place.position;
     const Vector2d back = robot.position - order.target;
     const double distance = back.norm();
-    const double ahead =
-        std::min({way_in(member.place.ball_time, skills::driving_limits(robot.specs)), 0.5, distance});
+    const double ahead = std::min(
+        {way_in(std::max(0.0, member.place.ball_time - late_start), skills::driving_limits(robot.specs)),
+         most_ahead, distance});
     if (distance > 1e-6) order.target += back * (ahead / distance);
   }
   return order;

@@ -7,7 +7,8 @@
 
 namespace reference {
 
-/// V(q) without P_reach over the grid of the partition; all of it new every 0.1 s, a sixth each tick.
+/// V(q) without P_reach over the grid of the partition; all of it new every 0.1 s, a sixth each tick, or
+/// every 0.3 s while there is no hurry.
 ///
 /// Both ways of attacking look at the same map, so they cost the same.
 class ValueMap {
@@ -18,7 +19,7 @@ class ValueMap {
     double ball_time = 0;                  ///< [s] of the pass
   };
 
-  void refresh(const kit::View& view, const kit::BallModel& model, const Partition& partition);
+  void refresh(const kit::View& view, const kit::BallModel& model, const Partition& partition, bool hurry);
   /// All points at once.
   void compute(const kit::View& view, const kit::BallModel& model, const Partition& partition);
 

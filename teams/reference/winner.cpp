@@ -24,10 +24,15 @@ constexpr double go_round_for = 1.2;
 
 std::optional<int> Winner::receiver(const kit::View& view) {
   if (!pass_) return {};
-  // The filter needs a few frames to see that the ball was kicked.
-  const bool stopped = view.time > pass_->armed_at + 0.25 && view.ball.velocity.norm() < 0.3;
+  const double speed = view.ball.velocity.norm();
+  if (!pass_->kicked) {
+    // Armed is not kicked: the ball may not have been there, or the kicker failed.
+    if (view.time > pass_->armed_at + 0.3) pass_.reset();
+    if (!pass_ || speed < 1.0 || view.ball.velocity.dot(pass_->direction) < 0.9 * speed) return {};
+    pass_->kicked = true;
+  }
   const kit::Robot* mate = kit::find(view.own, pass_->receiver);
-  if (view.time > pass_->until || stopped || mate == nullptr || mate->ball_contact) {
+  if (view.time > pass_->until || speed < 0.3 || mate == nullptr || mate->ball_contact) {
     pass_.reset();
     return {};
   }
@@ -78,10 +83,12 @@ skills::Order Winner::play(const kit::View& view, const Situation& situation, co
   } else {
     order = fetch(view, situation, robot, rules, parameters);
   }
-  if (order.kick_speed > 0 && choice_->kind == Kick::Kind::Pass && !redirect_ &&
-      (view.ball.position - robot.position).norm() < 0.2) {
-    const double length = (choice_->target - view.ball.position).norm();
-    pass_ = PassUnderWay{choice_->receiver, view.time, view.time + 1.0 + length / 1.5};
+  const Kick& now = *choice();
+  if (order.kick_speed > 0 && now.kind == Kick::Kind::Pass &&
+      (redirect_ || (view.ball.position - robot.position).norm() < 0.2)) {
+    const double length = (now.target - view.ball.position).norm();
+    pass_ = PassUnderWay{now.receiver, world::direction(now.direction), view.time,
+                         view.time + 1.0 + length / 1.5};
   }
   return order;
 }
@@ -123,16 +130,17 @@ skills::Order Winner::fetch(const kit::View& view, const Situation& situation, c
   // A ball that comes is let come until it is there; one that leaves, or is beside the robot, is gone to.
   const double speed_of_ball = ball.velocity.norm();
   const bool comes = -ball.velocity.dot(to_ball) > 0.7 * speed_of_ball * to_ball.norm();
-  if (speed_of_ball >= slow_ball && (comes || to_ball.norm() > 0.25)) {
+  const bool theirs = std::any_of(view.opponents.begin(), view.opponents.end(), [&](const kit::Robot& other) {
+    return kit::holds_ball(other, ball, view.field().ball_radius);
+  });
+  if (!theirs && speed_of_ball >= slow_ball && (comes || to_ball.norm() > 0.25)) {
     return let_come(view, situation, robot, rules, parameters);
   }
   redirect_.reset();
-  // It rests or rolls slowly. Round it only when there is time or little to round.
   const Kick& kick = *choice_;
-  const double off = std::abs(world::wrap_angle(world::angle_of(to_ball) - kick.direction));
-  const bool time_to_round = situation.their_time > situation.meetings[robot.number].time + 0.25 + 0.3 * off;
   const bool just_released = view.time - released_at_ < go_round_for;
-  if (just_released || (kick.kind != Kick::Kind::Dribble && (off < 0.5 || time_to_round))) {
+  const double first = situation.meetings[robot.number].time;
+  if (just_released || goes_round(view, robot, kick.direction, situation.their_time - first, parameters)) {
     const double speed = kick.kind == Kick::Kind::Dribble ? 0 : kick.speed;
     return skills::approach_and_kick(view, robot, kick.direction, speed, kick.angle, kick.tolerance);
   }
@@ -144,15 +152,31 @@ skills::Order Winner::let_come(const kit::View& view, const Situation& situation
                                const KickRules& rules, const Parameters& parameters) {
   const std::optional<skills::Meeting> meeting = skills::arrival(view, robot, situation.model);
   if (!meeting) redirect_.reset();
-  if (meeting && rules.shot_allowed && view.time - redirect_chosen_at_ >= rethink) {
+  if (meeting && view.time - redirect_chosen_at_ >= rethink) {
     redirect_chosen_at_ = view.time;
-    redirect_ = choose_one_touch(view, robot, *meeting, parameters, redirect_);
+    std::optional<Kick> shot;
+    if (rules.shot_allowed) shot = choose_one_touch(view, robot, *meeting, parameters, redirect_);
+    redirect_ = shot ? shot : pass_on(view, situation, robot, *meeting, parameters);
   }
   if (meeting && redirect_) {
     return skills::redirect(view, robot, *meeting, redirect_->direction, redirect_->speed,
                             redirect_->tolerance);
   }
   return skills::receive(view, robot, situation.model);
+}
+
+// Nobody has time to stop the ball and align: pass or clear it with one touch, if its way allows.
+std::optional<Kick> Winner::pass_on(const kit::View& view, const Situation& situation,
+                                    const kit::Robot& robot, const skills::Meeting& meeting,
+                                    const Parameters& parameters) const {
+  if (choice_->kind == Kick::Kind::Dribble || choice_->kind == Kick::Kind::Shot) return {};
+  Kick kick = *choice_;
+  kick.direction = world::angle_of(kick.target - meeting.position);
+  if (skills::redirect_angle(view.ball.velocity, kick.direction) > skills::steepest_redirect) return {};
+  const double turn = skills::redirect_angle(view.ball.velocity, kick.direction);
+  const double aligned_at = meeting.time + time_to_align(view, robot, turn, parameters);
+  if (situation.their_time > aligned_at) return {};
+  return kick;
 }
 
 std::optional<Kick> choose_one_touch(const kit::View& view, const kit::Robot& robot,

@@ -33,10 +33,15 @@ class Winner {
   skills::Order let_come(const kit::View& view, const Situation& situation, const kit::Robot& robot,
                          const KickRules& rules, const Parameters& parameters);
 
+  std::optional<Kick> pass_on(const kit::View& view, const Situation& situation, const kit::Robot& robot,
+                              const skills::Meeting& meeting, const Parameters& parameters) const;
+
   struct PassUnderWay {
     int receiver = -1;
+    Vector2d direction = Vector2d::UnitX();
     double armed_at = 0;
     double until = 0;  // [s] match time
+    bool kicked = false;
   };
 
   int robot_ = -1;

@@ -57,12 +57,24 @@ const char* name(WithBall what) {
   return "unknown";
 }
 
-double time_to_align(const kit::View& view, const kit::Robot& robot, double direction,
+double time_to_align(const kit::View& view, const kit::Robot& robot, double angle,
                      const Parameters& parameters) {
-  if (parameters.turn_dribble) {
-    return skills::turn_time(robot, world::wrap_angle(direction - robot.orientation), parameters.turn_rate);
-  }
-  return skills::orbit_time(view.ball, robot, direction, view.field().ball_radius);
+  return parameters.turn_dribble ? skills::turn_time(robot, angle, parameters.turn_rate)
+                                 : skills::orbit_time(robot, angle, view.field().ball_radius);
+}
+
+bool goes_round(const kit::View& view, const kit::Robot& robot, double direction, double ahead_of_them,
+                const Parameters& parameters) {
+  const double towards = world::angle_of(view.ball.position - robot.position);
+  const double off = std::abs(world::wrap_angle(towards - direction));
+  if (off < 0.35) return true;  // [rad] nearly the same way
+  const double round = skills::orbit_time(robot, off, view.field().ball_radius);
+  const double turn =
+      settle + (parameters.turn_dribble ? skills::turn_time(robot, off, parameters.turn_rate) : round);
+  const bool safe = ahead_of_them > round;
+  // Taken the shortest way the ball could then only be kicked home.
+  const bool hopeless = !parameters.turn_dribble && world::direction(towards).x() < -0.2;
+  return round <= turn && (safe || hopeless);
 }
 
 WithBall choose_with_ball(const kit::View& view, const kit::Robot& robot, const Kick& kick, const Hold& hold,
@@ -74,7 +86,7 @@ WithBall choose_with_ball(const kit::View& view, const kit::Robot& robot, const 
   const bool too_long = hold.time > longest_hold;
   // Sheltered by the turning robot the ball may be kept under pressure for a while; let go of it must be safe
   // until the robot has gone round.
-  const double align = time_to_align(view, robot, kick.direction, parameters);
+  const double align = time_to_align(view, robot, error, parameters);
   const bool hopeless =
       error > aligned && (parameters.turn_dribble ? is_pressed(view) && hold.time + align > longest_pressed
                                                   : their_time < align);

@@ -29,9 +29,17 @@ const char* name(WithBall what);
 WithBall choose_with_ball(const kit::View& view, const kit::Robot& robot, const Kick& kick, const Hold& hold,
                           double their_time, const Parameters& parameters);
 
-/// How long until a kick along `direction`, the ball being at the dribbler [s]: turning or going round.
-double time_to_align(const kit::View& view, const kit::Robot& robot, double direction,
+/// How long until a kick by `angle` [rad] from the heading, the ball being at the dribbler [s]: turning or
+/// going round.
+double time_to_align(const kit::View& view, const kit::Robot& robot, double angle,
                      const Parameters& parameters);
+
+/// How to get a ball that rests: round it, so as to be aligned when it is reached, or the shortest way and
+/// align with it afterwards. Whichever is aligned first; round it only when nobody else gets there before.
+///
+/// @param ahead_of_them  [s] their time to the ball less ours
+bool goes_round(const kit::View& view, const kit::Robot& robot, double direction, double ahead_of_them,
+                const Parameters& parameters);
 
 /// The order for that.
 ///

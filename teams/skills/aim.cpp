@@ -13,10 +13,9 @@ struct Edge {
 };
 constexpr std::size_t most_blockers = 24;
 
-}  // namespace
-
-Opening widest_opening(const Vector2d& from, const world::Segment& segment, std::span<const Blocker> blockers,
-                       std::optional<double> preferred, double bonus) {
+// Without target the direction of a closed segment is left 0.
+Opening sweep(const Vector2d& from, const world::Segment& segment, std::span<const Blocker> blockers,
+              std::optional<double> preferred, double bonus, bool with_target) {
   const double first = world::angle_of(segment.from - from);
   double span = world::wrap_angle(world::angle_of(segment.to - from) - first);
   const double turn = span < 0 ? -1.0 : 1.0;
@@ -74,6 +73,7 @@ Opening widest_opening(const Vector2d& from, const world::Segment& segment, std:
   }
   consider(free_from, span);
 
+  if (!with_target) return best;
   const world::Segment ray{from, from + world::direction(best.direction)};
   best.target = best.width > 0 ? world::line_intersection(ray, segment).value_or(segment.from)
                                : Vector2d(0.5 * (segment.from + segment.to));
@@ -81,25 +81,77 @@ Opening widest_opening(const Vector2d& from, const world::Segment& segment, std:
   return best;
 }
 
-Opening opening_to_goal(const kit::View& view, const Vector2d& from, double kick_speed, int shooter,
-                        std::optional<double> preferred) {
-  const world::Field& field = view.field();
-  std::array<Blocker, most_blockers> blockers;
+struct Blockers {
+  std::array<Blocker, most_blockers> list;
   std::size_t count = 0;
+  void add(const Vector2d& position, double radius) {
+    if (count < list.size()) list[count++] = {position, radius};
+  }
+  std::span<const Blocker> span() const { return {list.data(), count}; }
+};
+
+world::Segment mouth(const world::Field& field) {
+  const double post = field.goal_width / 2 - field.ball_radius;
+  return {{field.half_length(), -post}, {field.half_length(), post}};
+}
+
+}  // namespace
+
+Opening widest_opening(const Vector2d& from, const world::Segment& segment, std::span<const Blocker> blockers,
+                       std::optional<double> preferred, double bonus) {
+  return sweep(from, segment, blockers, preferred, bonus, true);
+}
+
+Vector2d goalie_later(const kit::View& view, const kit::Robot& goalie, const Vector2d& ball, double later) {
+  const Vector2d goal = view.their_goal();
+  const Vector2d out = ball - goal;
+  const double far = out.norm();
+  if (far < 1e-6) return goalie.position;
+  const double before_goal = std::clamp((goalie.position - goal).norm(), 0.1, 0.6);
+  const Vector2d wanted = goal + out * (std::min(before_goal, far) / far);
+  const Vector2d way = wanted - goalie.position;
+  const double length = way.norm();
+  const double time = std::max(0.0, later - 0.12);
+  // From rest to rest: d = t^2 / (2 (1 / a + 1 / b)).
+  const double reached = time * time / (2 * (1 / goalie.specs.max_acceleration + 1 / goalie.specs.max_brake));
+  return reached >= length ? wanted : Vector2d(goalie.position + way * (reached / length));
+}
+
+namespace {
+
+Blockers blockers_before_goal(const kit::View& view, const Vector2d& from, double kick_speed, int shooter,
+                              double later) {
+  const world::Field& field = view.field();
+  Blockers blockers;
   for (const kit::Robot& robot : view.opponents) {
-    if (count == blockers.size()) break;
-    const double flight = (robot.position - from).norm() / std::max(kick_speed, 1.0);
+    const Vector2d position = later > 0 && robot.number == view.game.their_keeper
+                                  ? goalie_later(view, robot, from, later)
+                                  : robot.position;
+    if (position.x() < from.x() - 0.3) continue;  // behind the ball
+    const double flight = (position - from).norm() / std::max(kick_speed, 1.0);
     const double free = std::max(0.0, flight - 0.12);
     const double covered = std::min(0.5 * robot.specs.max_acceleration * free * free, 0.25);
-    blockers[count++] = {robot.position, robot.specs.radius + field.ball_radius + covered};
+    blockers.add(position, robot.specs.radius + field.ball_radius + covered);
   }
   for (const kit::Robot& robot : view.own) {
-    if (robot.number == shooter || count == blockers.size()) continue;
-    blockers[count++] = {robot.position, robot.specs.radius + field.ball_radius + 0.02};
+    if (robot.number == shooter || robot.position.x() < from.x() - 0.3) continue;
+    blockers.add(robot.position, robot.specs.radius + field.ball_radius + 0.02);
   }
-  const double post = field.goal_width / 2 - field.ball_radius;
-  const double x = field.half_length();
-  return widest_opening(from, {{x, -post}, {x, post}}, std::span(blockers.data(), count), preferred);
+  return blockers;
+}
+
+}  // namespace
+
+Opening opening_to_goal(const kit::View& view, const Vector2d& from, double kick_speed, int shooter,
+                        std::optional<double> preferred, double later) {
+  const Blockers blockers = blockers_before_goal(view, from, kick_speed, shooter, later);
+  return widest_opening(from, mouth(view.field()), blockers.span(), preferred);
+}
+
+double width_to_goal(const kit::View& view, const Vector2d& from, double kick_speed, int shooter,
+                     double later) {
+  const Blockers blockers = blockers_before_goal(view, from, kick_speed, shooter, later);
+  return sweep(from, mouth(view.field()), blockers.span(), {}, 0, false).width;
 }
 
 double kick_tolerance(double width) { return std::clamp(0.5 * width, 0.02, 0.1); }

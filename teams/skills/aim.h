@@ -33,8 +33,20 @@ Opening widest_opening(const Vector2d& from, const world::Segment& segment, std:
 ///
 /// Opponents are widened by what they can cover while the ball flies, min(a t^2 / 2, 0.25 m) after a reaction
 /// time of 0.12 s. Our own robots count with their hull, but for `shooter`.
+///
+/// @param later  [s] until the shot: their goalkeeper has gone into its way as far as it gets by then
 Opening opening_to_goal(const kit::View& view, const Vector2d& from, double kick_speed, int shooter,
-                        std::optional<double> preferred = {});
+                        std::optional<double> preferred = {}, double later = 0);
+
+/// Only its width [rad], without the trigonometry of the rest.
+double width_to_goal(const kit::View& view, const Vector2d& from, double kick_speed, int shooter,
+                     double later = 0);
+
+/// Where their goalkeeper will be after `later` seconds when the ball goes to `ball`: on the way from there
+/// to the middle of the goal, as far from the goal as now.
+///
+/// It sees the ball go after 0.12 s and drives from rest to rest.
+Vector2d goalie_later(const kit::View& view, const kit::Robot& goalie, const Vector2d& ball, double later);
 
 /// The angle a kick in the heading `direction` may be wrong and still hit: half of the width, at most 0.1
 /// rad.

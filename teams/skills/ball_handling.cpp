@@ -63,12 +63,12 @@ Vector2d orbit_velocity(const kit::Ball& ball, const kit::Robot& robot, double d
          out * std::clamp(8.0 * (wanted - distance), -0.6, 0.6);
 }
 
-double orbit_time(const kit::Ball& ball, const kit::Robot& robot, double direction, double ball_radius) {
+double orbit_time(const kit::Robot& robot, double angle, double ball_radius) {
   const double radius = orbit_radius(robot, ball_radius);
   Limits limits = driving_limits(robot.specs);
   limits.speed = std::min(limits.speed, orbit_speed(robot, radius));
   const double back_off = 0.2;  // [s] out to the circle and in again
-  return back_off + time_to_rest(std::abs(way_round(ball, robot, direction)) * radius, 0, limits);
+  return back_off + time_to_rest(std::abs(angle) * radius, 0, limits);
 }
 
 Order approach_and_kick(const kit::View& view, const kit::Robot& robot, double direction, double kick_speed,

@@ -21,8 +21,8 @@ Vector2d behind_ball(const Vector2d& ball, const Vector2d& direction, const kit:
 /// Source  radius: reference "football", 2.8 and 2.10
 Vector2d orbit_velocity(const kit::Ball& ball, const kit::Robot& robot, double direction, double ball_radius);
 
-/// How long that takes from where the robot is, until it could kick [s].
-double orbit_time(const kit::Ball& ball, const kit::Robot& robot, double direction, double ball_radius);
+/// How long it takes to go round a ball at the dribbler by `angle` [rad], until it could be kicked [s].
+double orbit_time(const kit::Robot& robot, double angle, double ball_radius);
 
 /// Gets behind the ball and then drives through it, so that a kick goes along `direction` [rad].
 ///

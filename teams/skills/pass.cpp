@@ -14,17 +14,34 @@ constexpr double gravity = 9.81;     // [m/s^2]
 
 double chance_of(double margin) { return 1 / (1 + std::exp(-margin / 0.1)); }
 
-// The opponent's time to a point minus the ball's [s], or `most` when it cannot be less.
-double margin_at(const kit::View& view, const kit::Robot& opponent, const Vector2d& point, double ball_time,
-                 double most) {
-  const Limits limits = driving_limits(opponent.specs);
-  const double reach = opponent.specs.radius + view.field().ball_radius;
-  const Vector2d to = point - opponent.position;
-  // At full speed all the way it would still be too late.
-  const double far = reach + limits.speed * (ball_time + most - reaction);
-  if (far > 0 && to.squaredNorm() > far * far) return most;
-  const double drive = time_to_touch(to, opponent.velocity, limits, reach);
-  return (drive > 0 ? reaction + drive : 0) - ball_time;  // who stands there need not react
+// An opponent as the pass sees it.
+struct Chaser {
+  const kit::Robot& robot;
+  Limits limits;
+  double reach;  // [m]
+  double fast;   // [m/s] no component of its velocity is greater
+};
+
+Chaser chaser(const kit::View& view, const kit::Robot& robot) {
+  return {robot, driving_limits(robot.specs), robot.specs.radius + view.field().ball_radius,
+          std::abs(robot.velocity.x()) + std::abs(robot.velocity.y())};
+}
+
+// The most it can cover in that time [m].
+double range(const Chaser& c, double time) {
+  if (time <= 0) return 0;
+  return std::min(c.fast + 0.5 * c.limits.acceleration * time, std::max(c.limits.speed, c.fast)) * time;
+}
+
+// The lesser of `least` and the opponent's time to a point minus the ball's [s].
+double least_margin(const Chaser& c, const Vector2d& point, double ball_time, double least) {
+  const Vector2d to = point - c.robot.position;
+  // Most could not be there in time even driving straight at it: no roots needed.
+  const double far = c.reach + range(c, ball_time + least - reaction);
+  if (to.squaredNorm() > far * far) return least;
+  const double drive = time_to_touch(to, c.robot.velocity, c.limits, c.reach);
+  // Who stands there need not react.
+  return std::min(least, (drive > 0 ? reaction + drive : 0) - ball_time);
 }
 
 }  // namespace
@@ -39,18 +56,19 @@ double pass_safety(const kit::View& view, const kit::BallModel& model, const Vec
   const double whole = model.time_to_cover(speed, rolls, length);
   double least = most_margin;
   for (const kit::Robot& opponent : view.opponents) {
-    const double abreast = (opponent.position - from).dot(along);
+    const Vector2d at = opponent.position - from;
+    const double abreast = at.dot(along);
     if (abreast < -0.3) continue;
+    // Not even to the nearest point of the line by the time the ball is at its end.
+    const Chaser c = chaser(view, opponent);
+    const double beside = along.x() * at.y() - along.y() * at.x();
+    if (std::abs(beside) > c.reach + range(c, whole + least - reaction)) continue;
+    least = least_margin(c, to, whole, least);
     const double nearest = std::clamp(abreast, 0.2, std::max(length, 0.2));
-    least = std::min(least, margin_at(view, opponent, to, whole, least));
     for (const double s : {nearest, 0.5 * (nearest + length)}) {
       if (s >= length) continue;
-      const Vector2d point = from + along * s;
-      // The ball slows down, so it is there no later than in its share of the whole time.
-      const double late = whole * s / length;
-      const double far = opponent.specs.radius + 0.1 + opponent.specs.max_speed * (late + least);
-      if ((point - opponent.position).squaredNorm() > far * far) continue;
-      least = std::min(least, margin_at(view, opponent, point, model.time_to_cover(speed, rolls, s), least));
+      const double time = model.time_to_cover(speed, rolls, s);
+      least = least_margin(c, from + along * s, time, least);
     }
   }
   return chance_of(least);
@@ -100,7 +118,7 @@ std::optional<Pass> plan_chip(const kit::View& view, const kit::BallModel& model
     const double time = flight + model.time_to_cover(rolling, rolling, s - carry);
     if (s >= length) pass.time = time;
     for (const kit::Robot& opponent : view.opponents) {
-      least = std::min(least, margin_at(view, opponent, from + along * s, time, least));
+      least = least_margin(chaser(view, opponent), from + along * s, time, least);
     }
   }
   if (!std::isfinite(pass.time)) return {};

@@ -71,13 +71,73 @@ TEST(PassSafety, FallsWithAnOpponentOnTheLine) {
   kit::View view = running({0, 0});
   const kit::BallModel model;
   const double free = pass_safety(view, model, {0, 0}, {3, 0}, 5);
-  put(view.opponents, 1, {1.5, 1.5});
+  put(view.opponents, 1, {1.5, 0.6});
   const double near = pass_safety(view, model, {0, 0}, {3, 0}, 5);
   view.opponents.clear();
   put(view.opponents, 1, {1.5, 0});
   EXPECT_GT(free, 0.99);
   EXPECT_LT(near, free);
   EXPECT_LT(pass_safety(view, model, {0, 0}, {3, 0}, 5), 0.05);
+}
+
+TEST(PassSafety, FallsTheNearerTheOpponentIsToTheLine) {
+  const kit::BallModel model;
+  double before = 1;
+  for (const double beside : {1.2, 0.9, 0.6, 0.4, 0.2, 0.0}) {
+    kit::View view = running({0, 0});
+    put(view.opponents, 1, {2.0, beside});
+    const double safety = pass_safety(view, model, {0, 0}, {3, 0}, 4);
+    EXPECT_LE(safety, before) << beside;
+    before = safety;
+  }
+}
+
+TEST(PassSafety, IsTheSameOnBothSides) {
+  const kit::BallModel model;
+  kit::View view = running({0, 0}), mirror = running({0, 0});
+  put(view.opponents, 1, {1.4, 0.5}).velocity = {0.3, -0.4};
+  put(mirror.opponents, 1, {1.4, -0.5}).velocity = {0.3, 0.4};
+  EXPECT_DOUBLE_EQ(pass_safety(view, model, {0, 0.2}, {3, 0.1}, 4),
+                   pass_safety(mirror, model, {0, -0.2}, {3, -0.1}, 4));
+}
+
+TEST(PlanChip, GoesOverWhoBlocksTheGroundAndLandsBeyond) {
+  kit::View view = running({0, 0});
+  const kit::BallModel model;
+  EXPECT_FALSE(plan_chip(view, model, {0, 0}, {3, 0})) << "the ground is free";
+  put(view.opponents, 1, {0.6, 0.05});
+  const auto chip = plan_chip(view, model, {0, 0}, {3, 0});
+  ASSERT_TRUE(chip);
+  const double carry = chip->speed * chip->speed * std::sin(2 * chip->angle) / 9.81;
+  EXPECT_GE(carry, 0.6 + 0.09 + 0.3 - 1e-9);
+  EXPECT_LE(carry, 3 - 0.2 + 1e-9);
+  EXPECT_GT(chip->safety, pass_safety(view, model, {0, 0}, {3, 0}, 4));
+}
+
+TEST(PlanChip, DoesNotTryToRiseThroughARobotAtTheBall) {
+  kit::View view = running({0, 0});
+  put(view.opponents, 1, {0.2, 0});
+  EXPECT_FALSE(plan_chip(view, {}, {0, 0}, {3, 0}));
+}
+
+TEST(GoalieLater, GoesIntoTheWayNoFasterThanItCan) {
+  kit::View view = running({3, 2});
+  kit::Robot& goalie = put(view.opponents, 1, {4.2, 0.3});
+  EXPECT_EQ(goalie_later(view, goalie, {3, -2}, 0), goalie.position);
+  // After 0.12 s of reaction: t^2 / (2 (1 / a + 1 / b)).
+  const double slowness = 2 * (1 / goalie.specs.max_acceleration + 1 / goalie.specs.max_brake);
+  EXPECT_NEAR((goalie_later(view, goalie, {3, -2}, 0.42) - goalie.position).norm(), 0.09 / slowness, 1e-9);
+  const Vector2d there = goalie_later(view, goalie, {3, -2}, 5);
+  const Vector2d way = Vector2d(3, -2) - view.their_goal(), out = there - view.their_goal();
+  EXPECT_NEAR(way.x() * out.y() - way.y() * out.x(), 0, 1e-9) << "between ball and goal";
+}
+
+TEST(WidthToGoal, IsTheWidthOfTheOpening) {
+  kit::View view = running({3, 0.5});
+  put(view.own, 2, {3.8, 0.4});
+  put(view.opponents, 1, {4.2, -0.1});
+  EXPECT_DOUBLE_EQ(width_to_goal(view, {3, 0.5}, 6.5, -1), opening_to_goal(view, {3, 0.5}, 6.5, -1).width);
+  EXPECT_GT(width_to_goal(view, {3, 0.5}, 6.5, -1), 0);
 }
 
 TEST(Meet, ARobotAtRestMeetsARestingBallWhereItLies) {
