@@ -12,8 +12,15 @@ using world::CommandKind;
 
 // [m] The ball is in play once it moved this far (laws of 2015, Law 9 decision 1).
 constexpr double kick_travel = 0.05;
-// Frames in a row: one noisy detection must not start the game for us (ours).
-constexpr int kick_frames = 2;
+// Frames in a row: one noisy detection must not start the game for us (ours). One more for their kick: who
+// runs in too early is near the ball at the kick.
+constexpr int our_kick_frames = 2;
+constexpr int their_kick_frames = 3;
+// The ball lies where it lay before, seen by a camera for this many frames: it was not kicked (ours).
+constexpr int no_kick_frames = 4;
+constexpr double no_kick_distance = 0.03;  // [m]
+// [s] The referee may see a kick this much later than we do: 50 mm of travel and the vision's delay (ours).
+constexpr double referee_delay = 0.4;
 
 Phase phase_after(CommandKind kind, Phase before) {
   switch (kind) {
@@ -42,6 +49,9 @@ Phase phase_after(CommandKind kind, Phase before) {
   return Phase::Halt;
 }
 
+// In one of the last two frames: a ball that a filter only carries on does not prove a kick.
+bool seen_now(const Ball& ball) { return ball.known && ball.unseen < 0.03; }
+
 bool waits_for_a_kick(Phase phase) {
   return phase == Phase::Kickoff || phase == Phase::Penalty || phase == Phase::DirectFree ||
          phase == Phase::IndirectFree;
@@ -69,9 +79,13 @@ void GameReader::update(const world::RefereeMessage& message, const View& view, 
   game.their_keeper = them.keeper;
   game.max_robots = us.max_robots;
 
+  told_to_wait_ = told_to_wait_ || game.time_left;
   if (waits_for_a_kick(game.phase)) {
     watch_the_kick(view, game);
-  } else if (game.phase == Phase::Running && (game.forbidden || game.indirect)) {
+  } else if (game.phase == Phase::Running && waits_for_a_kick(waited_in_)) {
+    watch_for_no_kick(view, game);
+  }
+  if (game.phase == Phase::Running && (game.forbidden || game.indirect)) {
     watch_for_another_touch(view, game);
   }
   ball_velocity_before_ = view.ball.velocity;
@@ -86,13 +100,25 @@ void GameReader::begin(const world::RefereeMessage& message, const View& view, G
   game.forbidden.reset();
   game.indirect = false;
   moved_frames_ = 0;
+  still_frames_ = 0;
+  waited_in_ = Phase::Halt;
+  told_to_wait_ = false;
+}
+
+void GameReader::watch_the_kick(const View& view, Game& game) {
+  const bool moved = seen_now(view.ball) && (view.ball.position - game.restart_position).norm() > kick_travel;
+  moved_frames_ = moved ? moved_frames_ + 1 : 0;
+  const bool referee_saw_it = told_to_wait_ && !game.time_left;
+  if (referee_saw_it || moved_frames_ >= (game.ours ? our_kick_frames : their_kick_frames))
+    in_play(view, game);
 }
 
 // The ball moved: it is in play, and whoever of us is nearest has kicked it.
-void GameReader::watch_the_kick(const View& view, Game& game) {
-  const bool moved = view.ball.known && (view.ball.position - game.restart_position).norm() > kick_travel;
-  moved_frames_ = moved ? moved_frames_ + 1 : 0;
-  if (moved_frames_ < kick_frames) return;
+void GameReader::in_play(const View& view, Game& game) {
+  waited_in_ = game.phase;
+  was_ours_ = game.ours;
+  still_frames_ = 0;
+  in_play_since_ = view.time;
   if (game.ours) {
     game.indirect = game.phase == Phase::IndirectFree;
     double nearest = 1.0;  // [m] farther away nobody can have kicked it
@@ -106,6 +132,19 @@ void GameReader::watch_the_kick(const View& view, Game& game) {
   }
   game.phase = Phase::Running;
   game.ours = false;
+}
+
+void GameReader::watch_for_no_kick(const View& view, Game& game) {
+  const bool still = seen_now(view.ball) && view.ball.velocity.norm() < 0.2 &&
+                     (view.ball.position - game.restart_position).norm() < no_kick_distance;
+  still_frames_ = still ? still_frames_ + 1 : 0;
+  const bool referee_waits = game.time_left && view.time - in_play_since_ > referee_delay;
+  if (told_to_wait_ ? !referee_waits : still_frames_ < no_kick_frames) return;
+  game.phase = waited_in_;
+  game.ours = was_ours_;
+  game.forbidden.reset();
+  game.indirect = false;
+  moved_frames_ = 0;
 }
 
 // A change of the ball's velocity beside another robot is its touch. Friction changes it by at most 0.05 m/s

@@ -54,7 +54,7 @@ Vector2d clear_of_ball(const kit::View& view, const kit::Robot& robot, const Vec
                        const Vector2d& ball, double distance, bool goalie) {
   const world::Field& field = view.field();
   const double radius = distance + robot.specs.radius + field.ball_radius;
-  const double room = field.boundary_width - robot.specs.radius - 0.03;  // [m] beyond the lines, to the wall
+  constexpr double room = 0.2;  // [m] beyond the lines; from 0.25 on is the referee's (Law 1)
   const double off_area = robot.specs.radius + 0.03;
   const auto is_free = [&](const Vector2d& place) {
     return world::distance_outside_lines(field, place) < room &&
@@ -83,7 +83,8 @@ void make_legal(const kit::View& view, const kit::Robot& robot, const Roles& rol
   const bool goalie = roles.goalie == robot.number;
   if (is_dead(game.phase)) {
     // The ball on the centre mark: most likely a kickoff, so be at home already.
-    if (view.ball.position.norm() < 0.1 && !goalie) stay_in_own_half(robot, order);
+    const Vector2d place = game.designated_position.value_or(view.ball.position);
+    if (place.norm() < 0.1 && !goalie) stay_in_own_half(robot, order);
     order.max_speed = std::min(order.max_speed, parameters.stop_speed);
     keep_away(view, robot, parameters, goalie, order);
     return;

@@ -1,6 +1,7 @@
 #include "teams/reference/reference_team.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "teams/reference/defense.h"
@@ -32,9 +33,9 @@ void ReferenceTeam::play(const kit::View& real, world::TeamCommands& out) {
   for (const kit::Robot& robot : view.own) {
     skills::Order& order = orders_[robot.number];
     order = order_for(view, situation, robot);
-    make_legal(view, robot, roles_, parameters_, order);
+    make_legal(real, robot, roles_, parameters_, order);
     const bool kicker = roles_.winner == robot.number && view.game.ours;
-    if (holds_places(view.game.phase) && !kicker) hold_place(view, robot, order);
+    if (holds_places(view.game.phase) && !kicker) hold_place(real, robot, order);
     if (revise_) revise_(view, robot, roles_, order);
     out.push_back(steering_.command(real, robot, order));
   }
@@ -167,8 +168,34 @@ skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation
 void ReferenceTeam::hold_place(const kit::View& view, const kit::Robot& robot, skills::Order& order) {
   std::optional<Vector2d>& place = places_[robot.number];
   const bool still_choosing = view.time - phase_began_ < choose_places_for;
-  if (!place || (still_choosing && (order.target - *place).norm() > 0.3)) place = order.target;
+  if (!place || (still_choosing && (order.target - *place).norm() > 0.3)) {
+    place = place_apart(view, robot, order);
+  }
   order.target = *place;
+}
+
+// The order's target, or the nearest legal place beside it that no team-mate holds: two robots that want the
+// same place never come to rest.
+Vector2d ReferenceTeam::place_apart(const kit::View& view, const kit::Robot& robot,
+                                    const skills::Order& order) const {
+  const auto is_free = [&](const Vector2d& point) {
+    for (const kit::Robot& mate : view.own) {
+      const std::optional<Vector2d>& held = places_[mate.number];
+      if (mate.number == robot.number || !held) continue;
+      if ((*held - point).norm() < robot.specs.radius + mate.specs.radius + 0.06) return false;
+    }
+    return true;
+  };
+  if (is_free(order.target)) return order.target;
+  for (const double radius : {0.15, 0.3, 0.45}) {
+    for (int i = 0; i < 8; ++i) {
+      skills::Order beside = order;
+      beside.target += radius * world::direction(M_PI / 4 * i);
+      make_legal(view, robot, roles_, parameters_, beside);
+      if (is_free(beside.target)) return beside.target;
+    }
+  }
+  return order.target;
 }
 
 void ReferenceTeam::write_note(const kit::View& view, const Situation& situation) {

@@ -45,6 +45,7 @@ class ReferenceTeam final : public kit::Team {
   skills::Order winner_order(const kit::View& view, const Situation& situation, const kit::Robot& robot);
   const kit::View& with_ball_in_place(const kit::View& view);
   void hold_place(const kit::View& view, const kit::Robot& robot, skills::Order& order);
+  Vector2d place_apart(const kit::View& view, const kit::Robot& robot, const skills::Order& order) const;
   void write_note(const kit::View& view, const Situation& situation);
 
   kit::Setup setup_;

@@ -11,6 +11,7 @@ namespace {
 constexpr int plan_every = 6;            // ticks
 constexpr double keeps_task = 0.2;       // [s] reference "football", 2.7
 constexpr double keeps_ball = 0.15;      // [s] ours
+constexpr double keeps_kick = 1.5;       // [s] ours: who went to take or to block a kick does it
 constexpr double keeps_neighbour = 0.3;  // [m] ours
 
 bool same(const Formation& a, const Formation& b) {
@@ -25,7 +26,9 @@ int choose_winner(const kit::View& view, const Situation& situation, const Roles
   for (const kit::Robot& robot : view.own) {
     if (robot.number == roles.goalie || view.game.forbidden == robot.number) continue;
     double time = situation.meetings[robot.number].time;
-    if (before.winner == robot.number) time -= keeps_ball;
+    if (before.winner == robot.number) {
+      time -= view.game.phase == kit::Phase::Running ? keeps_ball : keeps_kick;
+    }
     if (kit::holds_ball(robot, view.ball, view.field().ball_radius)) time -= 0.5;
     if (receiver == robot.number) time -= 5;
     if (time < best) {

@@ -31,6 +31,7 @@ Arena::Arena(Side yellow, Side blue, std::uint64_t seed, const char* realism) {
     if (!sides[team]->make) continue;
     kit::Setup setup;
     setup.team = team;
+    setup.seed = seed;
     setup.geometry = model.geometry;
     setup.robots = model.robots[team];
     setup.vision_delay = model.realism.vision.delay;

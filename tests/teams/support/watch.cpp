@@ -18,7 +18,9 @@
 
 #include "experiments/host/tally.h"
 #include "teams/chaser/chaser.h"
+#include "teams/longball/longball.h"
 #include "teams/reference/reference_team.h"
+#include "teams/rough/rough_team.h"
 #include "tests/teams/support/arena.h"
 
 namespace {
@@ -57,12 +59,28 @@ support::Side side(const std::string& text, bool notes) {
   kit::Flags flags;
   if (team == "chaser") {
     s.make = [](const kit::Setup&) { return std::make_unique<chaser::Chaser>(); };
-  } else if (team == "reference") {
-    reference::Parameters parameters;
-    reference::declare(flags, parameters);
+    return s;
+  }
+  reference::Parameters parameters;
+  rough::Rudeness rudeness;
+  longball::Style style;
+  reference::declare(flags, parameters);
+  if (team == "reference") {
     set_all(flags, settings);
     s.make = [parameters, notes](const kit::Setup& setup) {
       return std::make_unique<reference::ReferenceTeam>(setup, parameters, notes);
+    };
+  } else if (team == "rough") {
+    rough::declare(flags, rudeness);
+    set_all(flags, settings);
+    s.make = [parameters, rudeness, notes](const kit::Setup& setup) {
+      return rough::make_team(setup, parameters, rudeness, notes);
+    };
+  } else if (team == "longball") {
+    longball::declare(flags, style);
+    set_all(flags, settings);
+    s.make = [parameters, style, notes](const kit::Setup& setup) {
+      return longball::make_team(setup, parameters, style, notes);
     };
   } else {
     throw std::invalid_argument(team + " is no team known here");
