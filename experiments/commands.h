@@ -78,8 +78,10 @@ int run(const RunOptions& options);
 struct ReportOptions {
   std::filesystem::path folder;
   std::string format = "text";
+  bool html = false;                             ///< write report.html in the folder instead of printing
+  std::optional<std::filesystem::path> figures;  ///< write the figures as SVG in this folder instead
 };
-/// The table of a result folder.
+/// The table of a result folder, its page or its figures.
 int report(const ReportOptions& options);
 
 struct ReplayOptions {
