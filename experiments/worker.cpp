@@ -1,3 +1,5 @@
+#include <sched.h>
+
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/host/play.h"
@@ -8,7 +10,9 @@ namespace commands {
 
 int worker(const WorkerOptions& options) {
   runner::Signals signals;
-  host::Options settings;  // the runner has bound us to a processor already
+  host::Options settings;
+  settings.cpu =
+      ::sched_getcpu();  // the one the runner has bound us to; there the game's processes take turns
   settings.interrupted = [&signals] { return signals.wait(std::chrono::milliseconds{0}).has_value(); };
   settings.memory_limit = options.team_memory << 20;
   settings.must_be_plausible = true;

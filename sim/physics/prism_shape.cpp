@@ -1,7 +1,9 @@
 #include "sim/physics/prism_shape.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 
 namespace physics {
 namespace {
@@ -13,74 +15,80 @@ float turn(float x, float y) {
   return y >= 0 ? part : 4 + part;
 }
 
+// A direction of that turn; its length is not 1.
+world::Vector2d direction(double turn) {
+  turn = std::remainder(turn, 4.0);  // -2 to 2
+  const double x = 1 - std::abs(turn);
+  return {x, std::copysign(1 - std::abs(x), turn)};
+}
+
 // Steeper directions see all corners of one end as equal within rounding; then only all of them will do.
 constexpr float steep = 0.01F;
 
 }  // namespace
 
 PrismShape::PrismShape(std::span<const world::Vector2d> corners, double half_height)
-    : corners_(static_cast<int>(corners.size())) {
-  assert(corners.size() >= 3 && corners.size() < 256);
+    : corners_(static_cast<int>(corners.size())), half_height_(static_cast<float>(half_height)) {
+  assert(corners.size() >= 3 && corners.size() <= most_corners);
   m_shapeType = CUSTOM_POLYHEDRAL_SHAPE_TYPE;  // only for custom types Bullet asks our function
   for (const world::Vector2d& corner : corners) {
-    for (const double z : {-half_height, half_height}) {
-      addPoint({static_cast<float>(corner.x()), static_cast<float>(corner.y()), static_cast<float>(z)},
-               false);
+    for (const float z : {-half_height_, half_height_}) {
+      addPoint({static_cast<float>(corner.x()), static_cast<float>(corner.y()), z}, false);
     }
   }
   recalcLocalAabb();
-  for (int bucket = 0; bucket < buckets; ++bucket) {
-    const double angle = 2 * M_PI * bucket / buckets;
-    const float x = static_cast<float>(std::cos(angle)), y = static_cast<float>(std::sin(angle));
+  for (int bucket = 0; bucket < buckets; ++bucket) find_candidates(bucket);
+}
+
+// Looked for at many directions of the bucket and a little beyond it, so that what rounding makes equal to
+// the farthest one is among them.
+void PrismShape::find_candidates(int bucket) {
+  constexpr int samples = 32;
+  constexpr double beyond = 0.1;  // of a bucket: 0.2 degrees at least, rounding is 1e-5 of it
+  Candidates& found = candidates_[static_cast<std::size_t>(bucket)];
+  std::array<bool, most_corners> farthest{};
+  for (int sample = 0; sample <= samples; ++sample) {
+    const double place = bucket - beyond + (1 + 2 * beyond) * sample / samples;
+    const world::Vector2d way = direction(place * 4 / buckets);
+    const auto height = [&](int i) {
+      const btVector3& point = getUnscaledPoints()[2 * i];
+      return way.x() * static_cast<double>(point.x()) + way.y() * static_cast<double>(point.y());
+    };
     int best = 0;
     for (int i = 1; i < corners_; ++i) {
-      const btVector3 way(x, y, 0);
-      if (way.dot(getUnscaledPoints()[2 * i]) > way.dot(getUnscaledPoints()[2 * best])) best = i;
+      if (height(i) > height(best)) best = i;
     }
-    const int at = static_cast<int>(turn(x, y) * (buckets / 4)) % buckets;
-    first_guess_[static_cast<std::size_t>(at)] = static_cast<unsigned char>(best);
+    farthest[static_cast<std::size_t>(best)] = true;
+  }
+  for (int i = 0; i < corners_; ++i) {
+    if (!farthest[static_cast<std::size_t>(i)]) continue;
+    assert(found.count < found.corner.size());
+    found.corner[found.count++] = static_cast<unsigned char>(i);
   }
 }
 
-// From the first guess uphill; the base is convex, so there is one top.
-int PrismShape::nearest_corner(float x, float y) const {
-  const btVector3* points = getUnscaledPoints();
-  const auto height = [&](int corner) { return x * points[2 * corner].x() + y * points[2 * corner].y(); };
-  const auto next = [&](int corner) { return corner + 1 == corners_ ? 0 : corner + 1; };
-  const auto previous = [&](int corner) { return corner == 0 ? corners_ - 1 : corner - 1; };
-  const auto bucket = static_cast<std::size_t>(turn(x, y) * (buckets / 4)) % buckets;
-  int corner = first_guess_[bucket];
-  float here = height(corner);
-  for (const bool forward : {true, false}) {
-    while (true) {
-      const int candidate = forward ? next(corner) : previous(corner);
-      const float there = height(candidate);
-      if (!(there > here)) break;
-      corner = candidate;
-      here = there;
-    }
+btVector3 PrismShape::localGetSupportingVertexWithoutMargin(const btVector3& way) const {
+  const float x = way.x(), y = way.y(), z = way.z();
+  if (!(std::abs(x) + std::abs(y) > steep * std::abs(z))) {  // also when it is no number
+    return btConvexHullShape::localGetSupportingVertexWithoutMargin(way);
   }
-  return corner;
-}
-
-btVector3 PrismShape::localGetSupportingVertexWithoutMargin(const btVector3& direction) const {
-  const float flat = std::abs(direction.x()) + std::abs(direction.y());
-  if (!(flat > steep * std::abs(direction.z()))) {  // also when it is no number
-    return btConvexHullShape::localGetSupportingVertexWithoutMargin(direction);
-  }
-  const int corner = nearest_corner(direction.x(), direction.y());
-  // Rounding may make its neighbours and both ends equal; among equals Bullet takes the first in its list.
+  const int bucket = std::min(static_cast<int>(turn(x, y) * (buckets / 4)), buckets - 1);
+  const Candidates& candidates = candidates_[static_cast<std::size_t>(bucket)];
   const btVector3* points = getUnscaledPoints();
+  // In the order of Bullet's list, of which it takes the first among equals. The sum is Bullet's dot product.
+  const float up = z * half_height_;
   float most = -SIMD_INFINITY;
   int best = 0;
-  for (const int step : {-1, 0, 1}) {
-    const int candidate = (corner + step + corners_) % corners_;
-    for (const int index : {2 * candidate, 2 * candidate + 1}) {
-      const float height = points[index].dot(direction);
-      if (height > most || (height == most && index < best)) {
-        most = height;
-        best = index;
-      }
+  for (int i = 0; i < candidates.count; ++i) {
+    const int index = 2 * candidates.corner[static_cast<std::size_t>(i)];
+    const float flat = x * points[index].x() + y * points[index].y();
+    if (flat - up > most) {
+      most = flat - up;
+      best = index;
+    }
+    if (flat + up > most) {
+      most = flat + up;
+      best = index + 1;
     }
   }
   return points[best];

@@ -18,19 +18,27 @@ namespace physics {
 /// that contacts do not change.
 class PrismShape final : public btConvexHullShape {
  public:
-  /// @param corners      of the base [m], convex, counter-clockwise, at least three
+  /// @param corners      of the base [m], convex, counter-clockwise, 3 to 64, no side turned by less than 3
+  ///                     degrees from the one before
   /// @param half_height  [m]
   PrismShape(std::span<const world::Vector2d> corners, double half_height);
 
   btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const override;
 
  private:
-  static constexpr int buckets = 64;
+  static constexpr int buckets = 128;
+  static constexpr int most_corners = 64;
 
-  int nearest_corner(float x, float y) const;
+  // The corners that can be the farthest one for directions of one bucket, rising.
+  struct Candidates {
+    unsigned char count = 0;
+    std::array<unsigned char, 3> corner{};
+  };
+  void find_candidates(int bucket);
 
   int corners_ = 0;
-  std::array<unsigned char, buckets> first_guess_{};  // corner, by direction in the plane
+  float half_height_ = 0;
+  std::array<Candidates, buckets> candidates_{};  // by direction in the plane
 };
 
 }  // namespace physics
