@@ -94,7 +94,8 @@ std::optional<Kick> pass_to(const kit::View& view, const Situation& situation, c
   const Vector2d ball = view.ball.position;
   const double length = (target - ball).norm();
   if (length < 0.8 || length > 7.0) return {};
-  if (rules.must_go_forward && target.x() < ball.x() + 0.05) return {};
+  // A kicker that kicks more sideways stands beyond the halfway line itself.
+  if (rules.must_go_forward && target.x() - ball.x() < 0.5 * length) return {};
   // Across the own goal is how games are lost.
   if (target.x() < -2.5 && ball.x() > target.x()) return {};
   Reception reception = reception_at(view, situation.model, ball, target, mate.number);
