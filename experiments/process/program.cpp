@@ -25,12 +25,12 @@ fs::path own_folder() {
 
 }  // namespace
 
-fs::path find_program(const std::string& name) {
+fs::path find_program(const std::string& name, const fs::path& directory) {
   if (name.empty()) throw StartError("the command of a program is empty");
 
   if (name.find('/') != std::string::npos) {
     std::error_code error;
-    const fs::path path = fs::absolute(name, error);
+    const fs::path path = fs::absolute(directory / name, error);
     if (!fs::exists(path, error)) throw StartError("program '" + name + "' does not exist");
     if (!is_program(path)) throw StartError("program '" + name + "' is not an executable file");
     return path;
