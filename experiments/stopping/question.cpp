@@ -49,8 +49,9 @@ stats::SequentialPlan sequential_plan(const schedule::Design& design, const Ques
   const schedule::Stopping& stopping = design.stopping;
   const double games = question.panel ? static_cast<double>(question.terms.size()) / 2 : 2;
   stats::SequentialPlan plan;
-  plan.metric = stopping.metric == schedule::Metric::Points && !question.panel ? stats::Metric::Points
-                                                                               : stats::Metric::GoalDifference;
+  plan.metric = stopping.metric == schedule::Metric::Points && !question.panel
+                    ? stats::Metric::Points
+                    : stats::Metric::GoalDifference;
   plan.hypotheses = {stopping.h0 * std::sqrt(games), stopping.h1 * std::sqrt(games)};
   plan.alpha = stopping.alpha / static_cast<double>(questions);
   plan.beta = stopping.beta;

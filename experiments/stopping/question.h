@@ -26,8 +26,8 @@ struct Question {
 /// The questions of a design, in the order of its conditions. Each condition belongs to one.
 std::vector<Question> questions(const schedule::Design& design);
 
-/// The score of a complete pair from team A's view: its mean goal difference a game, or its share of the points
-/// (win 1, draw 1/2). A forfeit counts 0 to `forfeit_goals`.
+/// The score of a complete pair from team A's view: its mean goal difference a game, or its share of the
+/// points (win 1, draw 1/2). A forfeit counts 0 to `forfeit_goals`.
 ///
 /// @pre state.complete()
 double pair_score(const record::PairState& state, schedule::Metric metric, int forfeit_goals);
@@ -36,8 +36,8 @@ double pair_score(const record::PairState& state, schedule::Metric metric, int f
 ///
 /// Hypotheses of a game become those of a pair: times sqrt(2), or sqrt(k) for the difference of two teams
 /// against k opponents, which is exact when games are independent. `alpha` is shared out evenly among the
-/// design's questions (Bonferroni). Points against a panel are a difference that may take many values, so they
-/// are tested like goals.
+/// design's questions (Bonferroni). Points against a panel are a difference that may take many values, so
+/// they are tested like goals.
 stats::SequentialPlan sequential_plan(const schedule::Design& design, const Question& question,
                                       std::size_t questions);
 

@@ -1,7 +1,6 @@
 #include "experiments/stopping/watch.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace stopping {
 namespace {
@@ -87,7 +86,7 @@ bool Watch::advance(std::size_t index) {
     if (!score) return false;
     for (const Question::Term& term : standing.question.terms) waiting_.erase({term.condition, pair});
     ++prefix_[index];
-    if (!given_up) scores.push_back(*score);
+    if (!given_up) scores.push_back(stats::clipped(*score, plan_of(standing)));
     const bool last = prefix_[index] == design_.pairs;
     if ((!given_up || last) && look(standing, scores, last)) {
       standing.next_pair = prefix_[index];
@@ -95,6 +94,10 @@ bool Watch::advance(std::size_t index) {
     }
   }
   return false;
+}
+
+stats::SequentialPlan Watch::plan_of(const Standing& standing) const {
+  return sequential_plan(design_, standing.question, standings_.size());
 }
 
 /// Returns whether the question is answered; only at the looks agreed on beforehand.
@@ -106,7 +109,7 @@ bool Watch::look(Standing& standing, const std::vector<double>& scores, bool las
 
   standing.pairs = count;
   standing.next_pair = prefix_[question_of_[standing.question.terms.front().condition]];
-  standing.score = stats::mean(scores);
+  standing.score = stats::mean_of(scores);
   switch (rule.rule) {
     case schedule::StopRule::Fixed:
       standing.decision = Decision::Played;
@@ -117,8 +120,7 @@ bool Watch::look(Standing& standing, const std::vector<double>& scores, bool las
       }
       break;
     case schedule::StopRule::Sequential: {
-      const stats::SequentialPlan plan = sequential_plan(design_, standing.question, standings_.size());
-      const stats::SequentialState state = stats::sequential_test(scores, plan);
+      const stats::SequentialState state = stats::sequential_test(scores, plan_of(standing));
       standing.decision = decision_of(state.decision);
       standing.llr = state.llr;
       standing.bounds = state.bounds;
@@ -129,7 +131,9 @@ bool Watch::look(Standing& standing, const std::vector<double>& scores, bool las
   return standing.decided();
 }
 
-const Standing& Watch::standing_of(std::size_t condition) const { return standings_[question_of_[condition]]; }
+const Standing& Watch::standing_of(std::size_t condition) const {
+  return standings_[question_of_[condition]];
+}
 
 std::vector<Standing> standings(const schedule::Design& design, std::span<const record::Attempt> attempts) {
   Watch watch(design);
@@ -137,7 +141,8 @@ std::vector<Standing> standings(const schedule::Design& design, std::span<const 
   return watch.standings();
 }
 
-std::vector<record::Attempt> counted(const schedule::Design& design, std::span<const record::Attempt> attempts) {
+std::vector<record::Attempt> counted(const schedule::Design& design,
+                                     std::span<const record::Attempt> attempts) {
   std::map<std::string, int> ends;  // by condition: the first pair that does not count
   for (const Standing& standing : standings(design, attempts)) {
     if (!standing.decided()) continue;
@@ -164,7 +169,7 @@ stats::Estimate corrected(const Standing& standing, const schedule::Design& desi
   if (standing.decision == Decision::Undecided) state.decision = stats::Decision::Undecided;
   stats::Estimate estimate = stats::after_stopping(state, plan);
   // From effects to scores: by the deviation of one pair's score, and from what equal teams have.
-  const double deviation = standing.score.standard_error * std::sqrt(static_cast<double>(standing.pairs));
+  const double deviation = standing.score.deviation;
   const double equal = plan.metric == stats::Metric::Points ? 0.5 : 0;
   estimate.value = equal + deviation * estimate.value;
   estimate.interval.low = equal + deviation * estimate.interval.low;

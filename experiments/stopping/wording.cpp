@@ -49,8 +49,8 @@ std::string outcome(const Standing& standing, const schedule::Design& design) {
       return "H1 accepted, A is better by about " + hypothesis(rule.h1) + " or more";
     case Decision::Undecided:
       return rule.rule == schedule::StopRule::Precision
-                 ? fmt::format("standard error {:.3f}, the wanted {:g} was not reached", standing.score.standard_error,
-                               rule.standard_error)
+                 ? fmt::format("standard error {:.3f}, the wanted {:g} was not reached",
+                               standing.score.standard_error, rule.standard_error)
                  : std::string("undecided at the cap");
   }
   return "";
@@ -60,7 +60,8 @@ std::string outcome(const Standing& standing, const schedule::Design& design) {
 
 std::string rule(const schedule::Design& design) {
   const schedule::Stopping& rule = design.stopping;
-  if (rule.rule == schedule::StopRule::Fixed) return fmt::format("fixed number: {} pairs per condition", design.pairs);
+  if (rule.rule == schedule::StopRule::Fixed)
+    return fmt::format("fixed number: {} pairs per condition", design.pairs);
   const std::string looks = fmt::format("looked at after {} pairs and then every {}, at most {}",
                                         rule.minimum_pairs, rule.batch_pairs, design.pairs);
   if (rule.rule == schedule::StopRule::Precision) {
@@ -68,8 +69,9 @@ std::string rule(const schedule::Design& design) {
                        rule.standard_error, looks);
   }
   const std::size_t count = questions(design).size();
-  return fmt::format("sequential test of A's {}: H0 {:g} against {}, alpha {:g}{}, beta {:g}; {}",
-                     metric_name(design), rule.h0, "H1 " + hypothesis(rule.h1), rule.alpha,
+  const std::string clip = rule.clip ? fmt::format(" (a pair counts at most {:g})", *rule.clip) : "";
+  return fmt::format("sequential test of A's {}{}: H0 {:g} against {}, alpha {:g}{}, beta {:g}; {}",
+                     metric_name(design), clip, rule.h0, "H1 " + hypothesis(rule.h1), rule.alpha,
                      count > 1 ? fmt::format(" shared by {} questions", count) : "", rule.beta, looks);
 }
 
@@ -84,14 +86,16 @@ std::string sentence(const Standing& standing, const schedule::Design& design) {
                               unit(design));
   }
   const stats::Estimate estimate = corrected(standing, design);
-  return text + fmt::format("; estimate corrected for the stopping {} [{}, {}] {} (plain mean {}); LLR {:.2f} in "
-                            "[{:.2f}, {:.2f}]",
-                            shown(estimate.value), shown(estimate.interval.low), shown(estimate.interval.high),
-                            unit(design), shown(standing.score.mean), standing.llr, standing.bounds.lower,
-                            standing.bounds.upper);
+  return text + fmt::format(
+                    "; estimate corrected for the stopping {} [{}, {}] {} (plain mean {}); LLR {:.2f} in "
+                    "[{:.2f}, {:.2f}]",
+                    shown(estimate.value), shown(estimate.interval.low), shown(estimate.interval.high),
+                    unit(design), shown(standing.score.mean), standing.llr, standing.bounds.lower,
+                    standing.bounds.upper);
 }
 
-std::vector<std::string> sentences(const schedule::Design& design, std::span<const record::Attempt> attempts) {
+std::vector<std::string> sentences(const schedule::Design& design,
+                                   std::span<const record::Attempt> attempts) {
   std::vector<std::string> texts;
   if (design.stopping.rule == schedule::StopRule::Fixed) return texts;
   for (const Standing& standing : standings(design, attempts)) texts.push_back(sentence(standing, design));

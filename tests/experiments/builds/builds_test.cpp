@@ -168,7 +168,7 @@ TEST_F(BuildsTest, ARepositoryThatIsNotHereIsCopiedAndBroughtUpToDate) {
 
 TEST_F(BuildsTest, ADesignWithoutGitNeedsNoFolder) {
   schedule::Design plain;
-  plain.conditions = {{"base", {.command = {"true"}}, {.command = {"true"}}}};
+  plain.conditions = {{"base", {.name = "a", .command = {"true"}}, {.name = "b", .command = {"true"}}}};
   EXPECT_TRUE(prepare(plain).empty());
   EXPECT_FALSE(fs::exists(folder_));
 }
