@@ -158,23 +158,4 @@ std::vector<record::Attempt> counted(const schedule::Design& design,
   return kept;
 }
 
-stats::Estimate corrected(const Standing& standing, const schedule::Design& design) {
-  const stats::SequentialPlan plan = sequential_plan(design, standing.question, questions(design).size());
-  stats::SequentialState state;
-  state.used = standing.pairs;
-  state.llr = standing.llr;
-  state.bounds = standing.bounds;
-  if (standing.decision == Decision::AcceptH0) state.decision = stats::Decision::AcceptH0;
-  if (standing.decision == Decision::AcceptH1) state.decision = stats::Decision::AcceptH1;
-  if (standing.decision == Decision::Undecided) state.decision = stats::Decision::Undecided;
-  stats::Estimate estimate = stats::after_stopping(state, plan);
-  // From effects to scores: by the deviation of one pair's score, and from what equal teams have.
-  const double deviation = standing.score.deviation;
-  const double equal = plan.metric == stats::Metric::Points ? 0.5 : 0;
-  estimate.value = equal + deviation * estimate.value;
-  estimate.interval.low = equal + deviation * estimate.interval.low;
-  estimate.interval.high = equal + deviation * estimate.interval.high;
-  return estimate;
-}
-
 }  // namespace stopping

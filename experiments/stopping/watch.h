@@ -8,8 +8,8 @@
 
 #include "experiments/record/attempt.h"
 #include "experiments/schedule/design.h"
-#include "experiments/stats/after_stopping.h"
 #include "experiments/stats/intervals.h"
+#include "experiments/stats/sequential.h"
 #include "experiments/stopping/question.h"
 
 namespace stopping {
@@ -77,11 +77,5 @@ std::vector<Standing> standings(const schedule::Design& design, std::span<const 
 /// The attempts that count: without pairs that were begun before the test stopped but stand behind its end.
 std::vector<record::Attempt> counted(const schedule::Design& design,
                                      std::span<const record::Attempt> attempts);
-
-/// What the test says of the size of the score, corrected for having stopped because of it: goals a game, or
-/// share of the points.
-///
-/// Source  stats/after_stopping.h
-stats::Estimate corrected(const Standing& standing, const schedule::Design& design);
 
 }  // namespace stopping

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "experiments/stopping/estimate.h"
+
 namespace stopping {
 namespace {
 

@@ -33,7 +33,7 @@ TEST(Sentence, NamesWhoAgainstWhomTheMetricTheDecisionAndThatTheEstimateIsCorrec
   const std::vector<std::string> texts = sentences(design, all_games(design, 4, 1));
   ASSERT_EQ(texts.size(), 1U);
   EXPECT_THAT(texts[0], AllOf(StartsWith("base: A (new) against B (old), goal difference: H1 accepted"),
-                              HasSubstr("after 8 pairs; estimate corrected for the stopping +"),
+                              HasSubstr("after 12 pairs; estimate corrected for the stopping +"),
                               HasSubstr("goals a game (plain mean +2.50)")));
   EXPECT_THAT(sentences(design, all_games(design, 1, 4))[0],
               HasSubstr("H0 accepted, A is not better by more than 0"));
