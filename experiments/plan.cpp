@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <sched.h>
 
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -74,15 +75,13 @@ std::optional<Spread> spread_of(const Experiment& experiment) {
   if (freedom < 8) return std::nullopt;  // too few to say anything
   spread.goal_deviation = std::sqrt(squares / freedom);
   spread.draws = draws / static_cast<double>(spread.games);
-  std::vector<double> first;
-  std::vector<double> second;
+  std::vector<std::array<double, 2>> both;
   for (const auto& [key, legs] : pairs) {
     if (legs.size() != 2) continue;
     const double mean = stats::mean_of(conditions[key.first]).mean;
-    first.push_back(legs.at(0) - mean);
-    second.push_back(legs.at(1) - mean);
+    both.push_back({legs.at(0) - mean, legs.at(1) - mean});
   }
-  if (first.size() >= 8) spread.correlation = stats::correlation(first, second).value;
+  if (both.size() >= 8) spread.correlation = stats::pair_correlation(both).value;
   return spread;
 }
 
@@ -100,7 +99,8 @@ Speed calibrate(schedule::Design& design, const std::filesystem::path& folder) {
   const double simulated = static_cast<double>(game.record.ticks) * world::tick_length;
   const double pace = simulated / game.record.wall_seconds;
   return {2 * half_of(design) * overrun / pace,
-          fmt::format("measured: a game of {:.0f} simulated s just now, {:.0f} times real time; a busy machine looks slower",
+          fmt::format("measured: a game of {:.0f} simulated s just now, {:.0f} times real time; a busy "
+                      "machine looks slower",
                       simulated, pace)};
 }
 
@@ -109,7 +109,8 @@ Speed calibrate(schedule::Design& design, const std::filesystem::path& folder) {
 int plan(const PlanOptions& options) {
   schedule::Design design = checked_design(options.design);
   std::filesystem::path folder = options.from;
-  if (folder.empty() && std::filesystem::exists(usual_folder(design) / "ledger.sqlite")) folder = usual_folder(design);
+  if (folder.empty() && std::filesystem::exists(usual_folder(design) / "ledger.sqlite"))
+    folder = usual_folder(design);
   std::optional<Speed> speed;
   std::optional<Spread> spread;
   if (!folder.empty()) {

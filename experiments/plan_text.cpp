@@ -26,28 +26,31 @@ std::string duration(double seconds) {
 
 std::string size(const schedule::Design& design) {
   return fmt::format("{}: {} {} x {} pairs x 2 games = {} games, rule set {}, realism {}\n", design.name,
-                     design.conditions.size(), design.conditions.size() == 1 ? "condition" : "conditions", design.pairs,
-                     schedule::game_count(design), design.rules, record::text(design.realism));
+                     design.conditions.size(), design.conditions.size() == 1 ? "condition" : "conditions",
+                     design.pairs, schedule::game_count(design), design.rules, record::text(design.realism));
 }
 
 std::string time(const schedule::Design& design, const Speed& speed, int workers) {
   const double all = speed.game_seconds * static_cast<double>(schedule::game_count(design)) / workers;
-  return fmt::format("time: {} for all games, {:.1f} s each, {} at a time; a night of 10 h holds {:.0f} games\n  ({})\n",
-                     duration(all), speed.game_seconds, workers, night / speed.game_seconds * workers, speed.source);
+  return fmt::format(
+      "time: {} for all games, {:.1f} s each, {} at a time; a night of 10 h holds {:.0f} games\n  ({})\n",
+      duration(all), speed.game_seconds, workers, night / speed.game_seconds * workers, speed.source);
 }
 
 /// What a question can show: for one condition as an example when all are alike.
 std::string power(const schedule::Design& design, const std::optional<Spread>& spread) {
   const std::vector<stopping::Question> questions = stopping::questions(design);
-  std::string text = fmt::format("what {} pairs show of a difference that is there in 4 of 5 experiments (two-sided, 5 %, {}):\n",
-                                 design.pairs,
-                                 questions.size() > 1 ? "each question by itself" : "A against B");
+  std::string text = fmt::format(
+      "what {} pairs show of a difference that is there in 4 of 5 experiments (two-sided, 5 %, {}):\n",
+      design.pairs, questions.size() > 1 ? "each question by itself" : "A against B");
   const double correlation = spread ? spread->correlation : 0;
-  const bool has_plain = std::any_of(questions.begin(), questions.end(), [](const auto& one) { return !one.panel; });
+  const bool has_plain =
+      std::any_of(questions.begin(), questions.end(), [](const auto& one) { return !one.panel; });
   if (has_plain) {
     const double draws = spread ? spread->draws : usual_draws;
-    text += fmt::format("  share of games won, A's minus B's: {:.1f} points if {:.0f} % of the games are draws\n",
-                        100 * stats::detectable_win_share(design.pairs, draws, correlation), 100 * draws);
+    text +=
+        fmt::format("  share of games won, A's minus B's: {:.1f} points if {:.0f} % of the games are draws\n",
+                    100 * stats::detectable_win_share(design.pairs, draws, correlation), 100 * draws);
   }
   for (const bool panel : {false, true}) {
     const auto question =
@@ -57,23 +60,25 @@ std::string power(const schedule::Design& design, const std::optional<Spread>& s
     const double games = panel ? static_cast<double>(question->terms.size()) / 2 : 2;
     const double effect =
         stats::detectable_effect(design.pairs) / std::sqrt(games) * std::sqrt(panel ? 1 : 1 + correlation);
-    text += fmt::format("  goal difference {}: {:.2f} standard deviations of a game", panel ? "of A and B against the panel" : "A - B",
-                        effect);
+    text += fmt::format("  goal difference {}: {:.2f} standard deviations of a game",
+                        panel ? "of A and B against the panel" : "A - B", effect);
     if (spread) {
       text += fmt::format(", that is {:.2f} goals a game\n", effect * spread->goal_deviation);
     } else {
-      text += ", that is";
-      for (const double goals : {1.0, 4.0, 9.0}) {
-        text += fmt::format("{} {:.2f} goals a game where both score {:.0f} together", goals > 1 ? "," : "",
-                            effect * std::sqrt(goals), goals);
-      }
+      text += fmt::format(
+          ", that is {:.2f} goals a game where both score 1 together, {:.2f} where 4, {:.2f} where 9", effect,
+          2 * effect, 3 * effect);  // Poisson: the deviation is the root of the goals
       text += "\n";
     }
   }
-  text += spread ? fmt::format("  (deviation {:.2f} goals, correlation within pairs {:+.2f}, {:.0f} % draws: seen in {} games)\n",
-                               spread->goal_deviation, spread->correlation, 100 * spread->draws, spread->games)
-                 : std::string("  (goals taken as Poisson numbers, games of a pair as independent; --from RESULTS takes "
-                               "both from earlier games)\n");
+  text += spread
+              ? fmt::format(
+                    "  (deviation {:.2f} goals, correlation within pairs {:+.2f}, {:.0f} % draws: seen in {} "
+                    "games)\n",
+                    spread->goal_deviation, spread->correlation, 100 * spread->draws, spread->games)
+              : std::string(
+                    "  (goals taken as Poisson numbers, games of a pair as independent; --from RESULTS takes "
+                    "both from earlier games)\n");
   return text;
 }
 
@@ -87,8 +92,10 @@ std::string course(const schedule::Design& design, const std::optional<Speed>& s
   const double games_a_pair = 2.0 * static_cast<double>(questions.front().terms.size());
   const auto line = [&](const std::string& truth, double t) {
     const stats::ExpectedCourse course = stats::expected_course(plan, t);
-    const double pairs = std::clamp(course.pairs, static_cast<double>(plan.first_look), static_cast<double>(plan.cap));
-    text += fmt::format("  if the truth is {}: {:.0f} pairs, {:.0f} games", truth, pairs, games_a_pair * pairs);
+    const double pairs =
+        std::clamp(course.pairs, static_cast<double>(plan.first_look), static_cast<double>(plan.cap));
+    text +=
+        fmt::format("  if the truth is {}: {:.0f} pairs, {:.0f} games", truth, pairs, games_a_pair * pairs);
     if (speed) text += fmt::format(", {}", duration(games_a_pair * pairs * speed->game_seconds / workers));
     text += fmt::format("; A is called better in {:.1f} %", 100 * course.accept_h1);
     text += course.pairs > static_cast<double>(plan.cap) ? "; the cap will often leave it undecided\n" : "\n";
@@ -104,7 +111,8 @@ std::string precision(const schedule::Design& design, const std::optional<Spread
   if (!spread) return "";
   const double h = design.stopping.standard_error;
   const double deviation = stats::pair_deviation(spread->goal_deviation, spread->correlation);
-  const double pairs = std::max(std::ceil(deviation * deviation / (h * h)), static_cast<double>(design.stopping.minimum_pairs));
+  const double pairs = std::max(std::ceil(deviation * deviation / (h * h)),
+                                static_cast<double>(design.stopping.minimum_pairs));
   return fmt::format("expected: {:.0f} pairs per condition for a standard error of {:g}{}\n", pairs, h,
                      pairs > design.pairs ? fmt::format("; the design allows {} only", design.pairs) : "");
 }

@@ -89,6 +89,46 @@ void build(const schedule::Source& source, const fs::path& checkout, const fs::p
                               "; " + tail(log) + "; all of it is in " + log.string());
 }
 
+using Revision = std::pair<std::string, std::string>;  // repository and revision
+
+/// The file `commits`: a line each of commit, revision and repository, with tabs between.
+std::map<Revision, std::string> read_commits(const fs::path& folder) {
+  std::map<Revision, std::string> commits;
+  std::ifstream stream(folder / "commits");
+  std::string commit;
+  std::string revision;
+  std::string repository;
+  while (std::getline(stream, commit, '\t') && std::getline(stream, revision, '\t') &&
+         std::getline(stream, repository)) {
+    commits[{repository, revision}] = commit;
+  }
+  return commits;
+}
+
+void write_commits(const fs::path& folder, const std::map<Revision, std::string>& commits) {
+  const fs::path unfinished = folder / "commits.part";
+  std::ofstream stream(unfinished, std::ios::trunc);
+  for (const auto& [revision, commit] : commits) {
+    stream << commit << '\t' << revision.second << '\t' << revision.first << '\n';
+  }
+  stream.close();
+  if (!stream) throw std::runtime_error(unfinished.string() + ": cannot be written; is the disk full?");
+  fs::rename(unfinished, folder / "commits");
+}
+
+/// A branch that went on is no mistake, but the reader should know which of its commits plays.
+void tell_if_moved(const schedule::Source& source, const std::string& commit, const std::string& repository,
+                   std::ostream& progress) {
+  try {
+    const std::string now = commit_of(repository, source.revision, "");
+    if (now == commit) return;
+    progress << "note: " << source.revision << " has moved to " << now.substr(0, 12)
+             << "; this folder stays with " << commit.substr(0, 12) << ", another --out takes the new one"
+             << std::endl;
+  } catch (const std::invalid_argument&) {  // gone meanwhile: what was built is still there
+  }
+}
+
 fs::path with(const fs::path& path, const char* ending) { return path.string() + ending; }
 
 /// Makes the build if it is not there; returns whether it was made now.
@@ -123,28 +163,32 @@ bool any_source(const schedule::Design& design) {
   return false;
 }
 
-void find_commits(schedule::Design& design, const fs::path& folder) {
-  std::map<std::pair<std::string, std::string>, std::string> known;
+void find_commits(schedule::Design& design, const fs::path& folder, std::ostream& progress) {
+  fs::create_directories(folder);
+  const FileLock lock(folder / "commits.lock", [] {});
+  const std::map<Revision, std::string> pinned = read_commits(folder);
+  std::map<Revision, std::string> known;
   for_each_source(design, [&](schedule::Source& source, record::TeamConfig&, const std::string& who) {
     std::string& commit = known[{source.repository, source.revision}];
     if (commit.empty()) {
-      const std::string repository = local(source.repository, folder);
-      if (is_remote(source.repository)) {
-        fs::create_directories(folder);
-        const FileLock lock(with(repository, ".lock"), [] {});
-        mirror(source.repository, repository, who);
+      const auto before = pinned.find({source.repository, source.revision});
+      if (before != pinned.end()) {
+        commit = before->second;
+        tell_if_moved(source, commit, local(source.repository, folder), progress);
+      } else {
+        if (is_remote(source.repository)) mirror(source.repository, local(source.repository, folder), who);
+        commit = commit_of(local(source.repository, folder), source.revision, who);
       }
-      commit = commit_of(repository, source.revision, who);
     }
     source.commit = commit;
   });
+  if (known.size() > pinned.size()) write_commits(folder, known);
 }
 
 std::vector<Build> prepare(schedule::Design& design, const fs::path& folder, std::ostream& progress) {
   std::vector<Build> builds;
   if (!any_source(design)) return builds;
-  find_commits(design, folder);
-  fs::create_directories(folder);
+  find_commits(design, folder, progress);
   const fs::path absolute = fs::canonical(folder);
   std::map<fs::path, bool> done;
   for_each_source(design, [&](schedule::Source& source, record::TeamConfig& team, const std::string& who) {

@@ -23,11 +23,13 @@ struct Build {
 
 /// Looks up the commits of all teams that come from git, and writes them into the design; builds nothing.
 ///
-/// The design then means the same games for ever, wherever its branches go.
+/// The file `commits` in the folder keeps what was found: a result folder stays with the commits it began
+/// with, wherever their branches go.
 ///
-/// @param folder  of the builds, for copies of repositories that are not on this machine
+/// @param folder  of the builds, also for copies of repositories that are not on this machine
+/// @param progress  told when a branch has moved since
 /// @throws std::invalid_argument naming condition, team, repository and revision
-void find_commits(schedule::Design& design, const std::filesystem::path& folder);
+void find_commits(schedule::Design& design, const std::filesystem::path& folder, std::ostream& progress);
 
 /// Builds every team of the design that comes from git, each commit once, and lets the teams start there.
 ///

@@ -31,8 +31,9 @@ fs::path find_program(const std::string& name, const fs::path& directory) {
   if (name.find('/') != std::string::npos) {
     std::error_code error;
     const fs::path path = fs::absolute(directory / name, error);
-    if (!fs::exists(path, error)) throw StartError("program '" + name + "' does not exist");
-    if (!is_program(path)) throw StartError("program '" + name + "' is not an executable file");
+    const std::string where = directory.empty() ? "" : " in " + directory.string();
+    if (!fs::exists(path, error)) throw StartError("program '" + name + "' does not exist" + where);
+    if (!is_program(path)) throw StartError("program '" + name + "' is not an executable file" + where);
     return path;
   }
 

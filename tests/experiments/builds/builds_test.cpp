@@ -74,7 +74,7 @@ TEST_F(BuildsTest, BuildsEachCommitOnceAndStartsTheTeamsThere) {
   EXPECT_EQ(listen_to({"bin/team"}, both.conditions[0].b.directory, std::chrono::seconds(10)).text, "two\n");
 }
 
-TEST_F(BuildsTest, FindsWhatWasBuiltBeforeAndBuildsOnlyABranchThatMoved) {
+TEST_F(BuildsTest, FindsWhatWasBuiltBeforeAndStaysWithItWhenABranchMoves) {
   schedule::Design first = design();
   prepare(first);
   schedule::Design again = design();
@@ -86,8 +86,13 @@ TEST_F(BuildsTest, FindsWhatWasBuiltBeforeAndBuildsOnlyABranchThatMoved) {
   repository_.shell("git add -A && " + repository_.identity + " commit -qm three");
   schedule::Design moved = design();
   prepare(moved);
-  EXPECT_EQ(count(), 3);
-  EXPECT_NE(moved.conditions[0].a.directory, first.conditions[0].a.directory);
+  EXPECT_EQ(count(), 2) << "a run that continues must be the same experiment";
+  EXPECT_EQ(moved.conditions[0].a.directory, first.conditions[0].a.directory);
+  EXPECT_THAT(said_, HasSubstr("note: main has moved to "));
+
+  folder_ = repository_.folder() / "elsewhere";
+  prepare(moved);
+  EXPECT_NE(moved.conditions[0].a.directory.filename(), first.conditions[0].a.directory.filename());
 }
 
 TEST_F(BuildsTest, AnotherBuildCommandIsAnotherBuild) {
@@ -161,6 +166,10 @@ TEST_F(BuildsTest, ARepositoryThatIsNotHereIsCopiedAndBroughtUpToDate) {
   EXPECT_EQ(prepare(remote).size(), 1U);
   repository_.write("echo three");
   repository_.shell("git add -A && " + repository_.identity + " commit -qm three");
+  prepare(again);
+  EXPECT_EQ(listen_to({"bin/team"}, again.conditions[0].a.directory, std::chrono::seconds(10)).text, "one\n")
+      << "the folder stays with its commits";
+  again.conditions[0].a_source->revision = again.conditions[1].a_source->revision = "refs/heads/main";
   prepare(again);
   EXPECT_EQ(listen_to({"bin/team"}, again.conditions[0].a.directory, std::chrono::seconds(10)).text,
             "three\n");
