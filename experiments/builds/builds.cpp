@@ -62,11 +62,17 @@ std::string tail(const fs::path& log) {
   return text.empty() ? "it printed nothing" : "it said last: " + text;
 }
 
+/// What a reader calls it: the revision, or the team's name where the revision is a commit already.
+std::string label(const schedule::Source& source, const record::TeamConfig& team) {
+  return (source.revision == source.commit ? team.name : source.revision) + " (commit " +
+         source.commit.substr(0, 12) + ")";
+}
+
 /// Runs the build command; nothing is left of it afterwards.
-void build(const schedule::Source& source, const fs::path& checkout, const fs::path& log, double patience,
-           const std::string& who) {
+void build(const std::string& build_command, const std::string& what, const fs::path& checkout,
+           const fs::path& log, double patience, const std::string& who) {
   process::Command command;
-  command.arguments = {"/bin/sh", "-c", source.build};
+  command.arguments = {"/bin/sh", "-c", build_command};
   command.directory = checkout;
   command.output = log;
   command.output_limit = log_limit;
@@ -84,8 +90,7 @@ void build(const schedule::Source& source, const fs::path& checkout, const fs::p
     }
   }
   if (problem.empty()) return;
-  throw std::invalid_argument(who + ": the build of " + source.revision + " (commit " +
-                              source.commit.substr(0, 12) + ") with '" + source.build + "' " + problem +
+  throw std::invalid_argument(who + ": the build of " + what + " with '" + build_command + "' " + problem +
                               "; " + tail(log) + "; all of it is in " + log.string());
 }
 
@@ -132,19 +137,17 @@ void tell_if_moved(const schedule::Source& source, const std::string& commit, co
 fs::path with(const fs::path& path, const char* ending) { return path.string() + ending; }
 
 /// Makes the build if it is not there; returns whether it was made now.
-bool make(const schedule::Source& source, const std::string& repository, const fs::path& checkout,
-          double patience, const std::string& who, std::ostream& progress) {
-  const FileLock lock(with(checkout, ".lock"), [&] {
-    progress << "waiting for another build of " << source.commit.substr(0, 12) << std::endl;
-  });
+bool make(const schedule::Source& source, const std::string& what, const std::string& repository,
+          const fs::path& checkout, double patience, const std::string& who, std::ostream& progress) {
+  const FileLock lock(with(checkout, ".lock"),
+                      [&] { progress << "waiting for another build of " << what << std::endl; });
   const fs::path finished = with(checkout, ".built");
   if (fs::exists(finished) && fs::exists(checkout)) return false;
-  progress << "building " << source.revision << " (commit " << source.commit.substr(0, 12) << ") of "
-           << source.repository << " ..." << std::endl;
+  progress << "building " << what << " of " << source.repository << " ..." << std::endl;
   fs::remove(finished);
   check_out(repository, source.commit, checkout, who);
   const auto start = std::chrono::steady_clock::now();
-  if (!source.build.empty()) build(source, checkout, with(checkout, ".log"), patience, who);
+  if (!source.build.empty()) build(source.build, what, checkout, with(checkout, ".log"), patience, who);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::ofstream stream(finished);
   stream << "repository " << source.repository << "\nrevision " << source.revision << "\ncommit "
@@ -194,8 +197,8 @@ std::vector<Build> prepare(schedule::Design& design, const fs::path& folder, std
   for_each_source(design, [&](schedule::Source& source, record::TeamConfig& team, const std::string& who) {
     const fs::path checkout = absolute / (source.commit + "-" + digits_of(source.build));
     if (!done.contains(checkout)) {
-      const bool made =
-          make(source, local(source.repository, folder), checkout, design.limits.build, who, progress);
+      const bool made = make(source, label(source, team), local(source.repository, folder), checkout,
+                             design.limits.build, who, progress);
       builds.push_back(
           {team.name, source.repository, source.revision, source.commit, source.build, checkout, made});
       done[checkout] = true;

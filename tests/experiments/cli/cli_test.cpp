@@ -186,21 +186,22 @@ TEST_F(MatchdayProgram, ReplayWantsAGameOfTheFolder) {
 }
 
 TEST_F(MatchdayProgram, EndsWithTheVerdictOfASequentialTest) {
-  const auto verdict = [&](const std::string& name, const std::string& a, const std::string& b, int pairs) {
-    std::ofstream(folder_ / (name + ".toml")) << "name = \"" << name << "\"\npairs = " << pairs
+  const auto verdict = [&](const std::string& name, const std::string& a, const std::string& b,
+                           const std::string& h1) {
+    std::ofstream(folder_ / (name + ".toml")) << "name = \"" << name << "\"\npairs = 30"
                                               << "\n[teams.a]\nname = \"new\"\ncommand = \"true goals=" << a
                                               << "\"\n[teams.b]\nname = \"old\"\ncommand = \"true goals=" << b
-                                              << "\"\n[stopping]\nrule = \"sequential\"\nh1 = 0.5\n";
+                                              << "\"\n[stopping]\nrule = \"sequential\"\nh1 = " << h1 << "\n";
     return matchday("run " + name + ".toml --worker " BIN_DIR "/coin_worker");
   };
-  const Said better = verdict("better", "5", "1", 60);
+  const Said better = verdict("better", "5", "1", "0.5");
   EXPECT_EQ(better.code, 0);
   EXPECT_THAT(better.text,
               AllOf(HasSubstr("stopping: sequential test of A's goal difference: H0 0 against H1 0.5"),
                     HasSubstr("base: A (new) against B (old), goal difference: H1 accepted"),
                     HasSubstr("estimate corrected for the stopping +")));
-  EXPECT_EQ(verdict("worse", "1", "3", 60).code, 10);
-  EXPECT_EQ(verdict("short", "1.3", "1", 8).code, 11);
+  EXPECT_EQ(verdict("worse", "1", "3", "0.5").code, 10);
+  EXPECT_EQ(verdict("short", "1.3", "1", "0.01").code, 11);
   EXPECT_THAT(matchday("report results/better").text, HasSubstr("H1 accepted"));
 }
 
