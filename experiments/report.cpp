@@ -8,7 +8,9 @@
 namespace commands {
 
 int report(const ReportOptions& options) {
-  std::cout << report::formatted(summary(read_experiment(options.folder)), options.format);
+  const Experiment experiment = read_experiment(options.folder);
+  std::cout << report::formatted(summary(experiment), options.format);
+  if (options.format == "text" || options.format == "markdown") std::cout << conclusion(experiment);
   return done;
 }
 
