@@ -36,6 +36,7 @@ void TeamProcess::blame(Termination termination, const std::string& what) {
 void TeamProcess::start(const std::filesystem::path& directory) {
   process::Command command;
   command.arguments = config_.command;
+  command.directory = config_.directory;
   command.environment = {{socket_variable, listener_.path().string()}};
   command.expendable = true;
   if (!directory.empty()) command.output = directory / (std::string(world::name(team_)) + ".log");

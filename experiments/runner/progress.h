@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <iosfwd>
@@ -28,6 +29,13 @@ class Progress {
   void ended(const record::Attempt& attempt, std::size_t resolved, Clock::time_point now = Clock::now());
   /// How long the rest will take, until it is told anew.
   void left(const std::optional<TimeLeft::Estimate>& estimate) { left_ = estimate; }
+
+  /// There are fewer games to be played than it seemed.
+  void set_total(std::size_t total, std::size_t resolved) {
+    total_ = total;
+    resolved_ = resolved;
+    resolved_before_ = std::min(resolved_before_, resolved);
+  }
 
   /// Draws the line anew, at most a few times a second.
   void tick(std::size_t running, Clock::time_point now = Clock::now());

@@ -24,6 +24,8 @@
 #include "experiments/runner/result_folder.h"
 #include "experiments/runner/signals.h"
 #include "experiments/runner/status.h"
+#include "experiments/stopping/watch.h"
+#include "experiments/stopping/wording.h"
 
 namespace runner {
 namespace {
@@ -92,6 +94,7 @@ class Run {
         before_(ledger.attempts()),
         audited_(ledger.audits()),
         plan_(design, before_),
+        watch_(design),
         progress_(out, options.terminal, design, plan_.total(), plan_.resolved()),
         breaker_(options.limits, plan_.total()),
         evidence_(folder, options.limits.kept_logs << 20, before_),
@@ -103,6 +106,7 @@ class Run {
     for (const record::Attempt& attempt : before_) {
       progress_.known(attempt);
       count(attempt);
+      stop_where_answered(attempt);
     }
     take_audits_up_again();
     status_.experiment = experiment_;
@@ -149,7 +153,6 @@ class Run {
   }
 
   // --- disk
-  // -------------------------------------------------------------------------------------------------
 
   std::string disk_sentence(std::int64_t bytes) const {
     return "the disk of " + folder_.path().string() + " has " + mebibytes(bytes) + " left, " +
@@ -190,7 +193,6 @@ class Run {
   }
 
   // --- games
-  // ------------------------------------------------------------------------------------------------
 
   bool may_start() const { return !signal_ && !waiting_for_disk_ && !breaker_.tripped(); }
 
@@ -269,8 +271,26 @@ class Run {
                     " (limits.kept_logs): from now on the oldest go");
     }
     if (Audits::wanted(attempt, experiment_, options_.limits.audited)) audits_.add(attempt);
+    const std::vector<std::size_t> answered = stop_where_answered(attempt);
     progress_.left(time_left_.estimate(plan_.total() - plan_.resolved(), crew_.places()));
     progress_.ended(attempt, plan_.resolved());
+    for (const std::size_t question : answered) {
+      progress_.say(stopping::sentence(watch_.standings()[question], design_));
+    }
+  }
+
+  /// Games of questions that are answered are not started any more; those that are running end by themselves.
+  std::vector<std::size_t> stop_where_answered(const record::Attempt& attempt) {
+    if (design_.stopping.rule == schedule::StopRule::Fixed) return {};
+    const std::vector<std::size_t> answered = watch_.add(attempt);
+    for (const std::size_t question : answered) {
+      const stopping::Standing& standing = watch_.standings()[question];
+      for (const stopping::Question::Term& term : standing.question.terms) {
+        plan_.stop(design_.conditions[term.condition].name, standing.next_pair);
+      }
+    }
+    if (!answered.empty()) progress_.set_total(plan_.total(), plan_.resolved());
+    return answered;
   }
 
   void count(const record::Attempt& attempt) {
@@ -281,7 +301,6 @@ class Run {
   }
 
   // --- audits
-  // -----------------------------------------------------------------------------------------------
 
   void take_audits_up_again() {
     std::set<std::pair<record::GameKey, int>> done;
@@ -327,7 +346,6 @@ class Run {
   }
 
   // --- before, meanwhile, afterwards
-  // ------------------------------------------------------------------------
 
   /// Short games between the programs; false when the night must not begin.
   bool preflight(RunResult& result) {
@@ -464,6 +482,7 @@ class Run {
   std::vector<record::Attempt> before_;
   std::vector<record::Audit> audited_;
   Plan plan_;
+  stopping::Watch watch_;
   Progress progress_;
   Breaker breaker_;
   Evidence evidence_;
