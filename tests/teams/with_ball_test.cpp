@@ -83,7 +83,8 @@ TEST_F(AtTheBall, OnlyTheWayToAlignDiffersBetweenOnAndOff) {
     EXPECT_EQ(a.kick_speed, b.kick_speed);
     EXPECT_EQ(a.heading, b.heading);
     EXPECT_EQ(a.velocity.has_value(), b.velocity.has_value());
-    if (a.velocity) EXPECT_EQ(*a.velocity, *b.velocity);
+    if (!a.velocity) continue;
+    EXPECT_EQ(*a.velocity, *b.velocity);
   }
 }
 
