@@ -61,7 +61,7 @@ TEST(BallCourse, ForetellingInTwoStepsIsForetellingInOne) {
 TEST(Meet, AChipIsNotMetWhereItFliesHigh) {
   kit::View view = running({0, 0});
   view.ball = chip(3, 3);
-  const kit::Robot& robot = put(view.own, 1, {1.0, 0.2});
+  const kit::Robot& robot = put(view.own, 1, {2.5, 0.2});
   const kit::BallModel model(view.geometry);
   const Meeting meeting = meet(view, robot, driving_limits(robot.specs), model, 0.0945);
   ASSERT_TRUE(meeting.before_it_stops);
