@@ -95,7 +95,7 @@ void Supports::think(const kit::View& view, const Situation& situation, const Ro
     }
     if (member.set_place) {
       targets_[target_count_++] = {robot.number, set_play_target(view, *member.set_place)};
-    } else if (member.place.grid >= 0) {
+    } else if (member.place.grid >= 0 && set_play(view) != SetPlay::Kickoff) {
       targets_[target_count_++] = {robot.number, member.target.position};
       taken[taken_count++] = member.place.position;
     }
