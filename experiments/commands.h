@@ -105,8 +105,10 @@ int compare(const CompareOptions& options);
 struct ReportOptions {
   std::filesystem::path folder;
   std::string format = "text";
+  bool html = false;                             ///< write report.html in the folder instead of printing
+  std::optional<std::filesystem::path> figures;  ///< write the figures as SVG in this folder instead
 };
-/// The table of a result folder.
+/// The table of a result folder, its page or its figures.
 int report(const ReportOptions& options);
 
 struct ReplayOptions {

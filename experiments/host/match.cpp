@@ -82,7 +82,11 @@ engine::Model model_of(const record::MatchConfig& config) {
 }
 
 Match::Match(const record::MatchConfig& config, const Options& options)
-    : config_(config), options_(options), engine_(model_of(config)), idle_([this] { look_around(); }) {
+    : config_(config),
+      options_(options),
+      engine_(model_of(config)),
+      idle_([this] { look_around(); }),
+      statistics_(engine_.model().geometry) {
   for (const world::Team team : world::both_teams) {
     teams_[team] = std::make_unique<TeamProcess>(
         team, config_.teams[team], directory_.path() / (std::string(world::name(team)) + ".socket"));
@@ -241,6 +245,7 @@ bool Match::tick() {
 
   hash_.add(engine_.truth(), commands_, referee_->message(), output.ball_reset);
   report(tally_.add(output, *referee_));
+  statistics_.update(engine_.truth(), referee_->state());
   if (options_.on_tick) options_.on_tick(engine_, *referee_);
   act_on_wishes(output);
   lap(Part::Bookkeeping);
@@ -409,6 +414,8 @@ void Match::end(record::MatchRecord& record) {
   }
   if (referee_) {
     tally_.finish(*referee_, record);
+    statistics_.finish();
+    record.statistics = statistics_.result();
     for (const world::Team team : world::both_teams) {
       record.counters[std::string("bad_commands_") + world::name(team)] = bad_commands_[team];
     }

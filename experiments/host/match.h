@@ -13,6 +13,7 @@
 #include "experiments/host/tally.h"
 #include "experiments/host/team_process.h"
 #include "experiments/host/vitals.h"
+#include "experiments/statistics/observer.h"
 
 namespace host {
 
@@ -88,6 +89,7 @@ class Match {
   Tally tally_;
   Vitals vitals_;
   Deadline::Clock::time_point limits_checked_{};
+  statistics::Observer statistics_;
   world::PerTeam<world::TeamCommands> commands_;
   world::PerTeam<int> bad_commands_{};
   engine::Timing timing_;  // only while measuring

@@ -56,6 +56,30 @@ CREATE TABLE IF NOT EXISTS audits (
 );
 )";
 
+/// Attempts with their statistics as columns: everything of `attempts` but the record, then ball_in_play [s],
+/// passages, longest_passage [s], and for each team what TeamStatistics has, as shots_yellow.
+std::string view_of_games() {
+  std::string text =
+      "CREATE VIEW games AS SELECT game, condition, pair, leg, attempt, seed, a_colour, "
+      "blue_on_positive_half, "
+      "first_kickoff, outcome, termination, at_fault, reason, goals_yellow, goals_blue, ticks, hash, "
+      "fouls_yellow, fouls_blue, stoppages, wall_seconds, worker, started";
+  const auto add = [&text](const std::string& path, const std::string& name) {
+    text += ", json_extract(record, '$.statistics." + path + "') AS " + name;
+  };
+  add("in_play", "ball_in_play");
+  add("passages", "passages");
+  add("longest_passage", "longest_passage");
+  for (const char* key : {"kicks", "shots", "shots_on_target", "saves", "passes", "passes_completed",
+                          "touches", "turnovers", "balls_out", "possession", "territory", "distance"}) {
+    for (const world::Team team : world::both_teams) {
+      const std::string colour = world::name(team);
+      add(colour + "." + key, std::string(key) + "_" + colour);
+    }
+  }
+  return text + " FROM attempts";
+}
+
 world::Team colour(const std::string& word) {
   return word == world::name(world::Team::Blue) ? world::Team::Blue : world::Team::Yellow;
 }
@@ -125,6 +149,7 @@ Ledger Ledger::open(const std::filesystem::path& path, const Experiment& experim
     if (fresh) {
       SQLite::Transaction transaction(database);
       database.exec(tables);
+      database.exec(view_of_games());
       SQLite::Statement insert(database, "INSERT INTO experiment VALUES ('hash', ?), ('design', ?)");
       insert.bind(1, experiment.hash);
       insert.bind(2, experiment.design);
@@ -142,6 +167,12 @@ Ledger Ledger::open(const std::filesystem::path& path, const Experiment& experim
       throw StorageError(file + ": holds experiment " + found +
                          " but the design, its programs and their files make " + experiment.hash +
                          "; give another --out, or restore what was changed");
+    }
+    if (kind_of(database).version < schema) {
+      SQLite::Transaction transaction(database);
+      database.exec(view_of_games());
+      database.exec("PRAGMA user_version = " + std::to_string(schema));
+      transaction.commit();
     }
     return ledger;
   });

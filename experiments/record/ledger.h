@@ -25,11 +25,14 @@ struct Experiment {
 
 /// All attempts of an experiment in one SQLite file: the only state of a run.
 ///
-/// One row per attempt, written once, in a transaction of its own that is on the disk when `add` returns.
-/// One process writes; any number may read meanwhile.
+/// One row per attempt in the table `attempts`; the view `games` shows the same with the match statistics as
+/// columns, for people with a query. A row is written once, in a transaction of its own that is on the disk
+/// when `add` returns. One process writes; any number may read meanwhile.
 class Ledger {
  public:
-  static constexpr int schema = 1;  ///< `PRAGMA user_version`
+  /// `PRAGMA user_version`. 1: without match statistics; read as it is, and given the view `games` when it is
+  /// opened for writing.
+  static constexpr int schema = 2;
 
   /// Opens the ledger for writing; a file that does not exist is created for that experiment.
   ///
