@@ -55,6 +55,7 @@ CREATE TABLE IF NOT EXISTS audits (
   PRIMARY KEY (condition, pair, leg, attempt)
 );
 )";
+
 /// Attempts with their statistics as columns: everything of `attempts` but the record, then ball_in_play [s],
 /// passages, longest_passage [s], and for each team what TeamStatistics has, as shots_yellow.
 std::string view_of_games() {

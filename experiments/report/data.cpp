@@ -142,6 +142,28 @@ std::string json_sweeps(const std::vector<Sweep>& sweeps) {
   });
 }
 
+std::string json_panels(const std::vector<PanelComparison>& panels) {
+  return json_list(panels, [](const PanelComparison& panel) {
+    Fields fields;
+    fields.emplace_back("panel", record::quoted(panel.base));
+    fields.emplace_back("verdict", record::quoted(panel.sentence()));
+    fields.emplace_back("opponents", json_list(panel.lines, [](const PanelComparison::Line& line) {
+                          Fields inner;
+                          inner.emplace_back("opponent", record::quoted(line.opponent));
+                          inner.emplace_back("pairs", std::to_string(line.pairs));
+                          add_mean(inner, "a", line.a);
+                          add_mean(inner, "b", line.b);
+                          inner.emplace_back("difference", record::number(line.test.difference));
+                          add_interval(inner, "difference", line.test.interval);
+                          inner.emplace_back("p", record::number(line.test.p));
+                          inner.emplace_back("win_share_difference", record::number(line.win_share));
+                          add_interval(inner, "win_share_difference", line.win_share_interval);
+                          return json_object(inner, "      ");
+                        }));
+    return json_object(fields, "    ");
+  });
+}
+
 std::string json_texts(const std::vector<std::string>& texts) {
   return json_list(texts, [](const std::string& text) { return record::quoted(text); });
 }
@@ -225,6 +247,7 @@ std::string as_json(const Summary& summary) {
                       {"stopping", record::quoted(header.stopping)},
                       {"answers", json_texts(header.answers)},
                       {"warnings", json_texts(warnings(summary))},
+                      {"panels", json_panels(summary.panels)},
                       {"sweeps", json_sweeps(summary.sweeps)},
                       {"conditions", json_rows(header, summary.rows)},
                       {"conditions_without_forfeits", json_rows(header, summary.without_forfeits)}},

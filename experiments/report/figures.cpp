@@ -92,7 +92,7 @@ std::string start(const Points& points, const std::string& y_label) {
 template <class Value>
 std::string block(const std::string& name, const Points& points, double shift, Value value) {
   const double span = points.points.back().x - points.points.front().x;
-  const double step = span > 0 ? 0.008 * span : 0.03;
+  const double step = !points.numeric ? 0.07 : span > 0 ? 0.008 * span : 0.03;
   std::string text = "$" + name + " << EOD\n";
   for (const Point& point : points.points) {
     const std::array<double, 3> numbers = value(*point.row);

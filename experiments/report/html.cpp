@@ -89,23 +89,56 @@ std::string results(const Header& header, const std::vector<Row>& rows) {
 }
 
 std::string differences(const std::vector<Row>& rows) {
-  std::string text =
-      "<div class=\"wide\"><table>" +
-      heads({"A - B, goals a game", "pairs", "mean ± SE", "t [95 %]", "bootstrap [95 %]", "p sign flips",
-             "p wins against losses", "within pairs", "stoppages", "fouls A / B", "forfeits A / B", "void"}) +
-      "<tbody>\n";
+  std::string text = "<div class=\"wide\"><table>" +
+                     heads({"A - B, goals a game", "pairs", "mean ± SE", "t [95 %]", "bootstrap [95 %]",
+                            "p sign flips", "p wins against losses", "r within pairs"}) +
+                     "<tbody>\n";
   for (const Row& row : rows) {
     const bool shown = row.games > 0 && row.p_holm.value_or(row.p) < 0.05;
     text += std::string("<tr") + (shown ? " class=\"sig\"" : "") + ">" + cell(row.condition) +
             cell(std::to_string(row.difference.count)) + cell(signed_plus_minus(row.difference)) +
             cell(bracketed(row.t_test.interval)) + cell(bracketed(row.bootstrap)) +
             cell(p_value(row.permutation_p, row.permutation_p_holm)) + cell(p_value(row.p, row.p_holm)) +
-            cell(correlation(row.correlation)) + cell(one_decimal(row.stoppages)) +
-            cell(one_decimal(row.a.fouls) + " / " + one_decimal(row.b.fouls)) +
-            cell(fmt::format("{} / {}", row.a.forfeits, row.b.forfeits)) +
-            cell(std::to_string(row.void_attempts)) + "</tr>\n";
+            cell(correlation(row.correlation)) + "</tr>\n";
   }
   return text + "</tbody></table></div>\n";
+}
+
+/// What else was counted in the games of each condition.
+std::string counts(const std::vector<Row>& rows) {
+  std::string text = "<div class=\"wide\"><table>" +
+                     heads({"condition", "games", "stoppages a game", "fouls a game A / B", "forfeits A / B",
+                            "void attempts", "pairs given up"}) +
+                     "<tbody>\n";
+  for (const Row& row : rows) {
+    text += "<tr>" + cell(row.condition) + cell(std::to_string(row.games)) +
+            cell(one_decimal(row.stoppages)) +
+            cell(one_decimal(row.a.fouls) + " / " + one_decimal(row.b.fouls)) +
+            cell(fmt::format("{} / {}", row.a.forfeits, row.b.forfeits)) +
+            cell(std::to_string(row.void_attempts)) + cell(std::to_string(row.given_up_pairs)) + "</tr>\n";
+  }
+  return text + "</tbody></table></div>\n";
+}
+
+/// A and B against the same opponents.
+std::string panels(const std::vector<PanelComparison>& all) {
+  std::string text;
+  for (const PanelComparison& panel : all) {
+    text += "<h3>" + escaped(panel.title()) + "</h3>\n<div class=\"wide\"><table>" +
+            heads({"opponent", "pairs", "A", "B", "A's minus B's goal difference", "95 %", "p",
+                   "A's minus B's win %", "95 %"}) +
+            "<tbody>\n";
+    for (const PanelComparison::Line& line : panel.lines) {
+      text += "<tr>" + cell(line.opponent) + cell(std::to_string(line.pairs)) +
+              cell(signed_plus_minus(line.a)) + cell(signed_plus_minus(line.b)) +
+              cell(signed_number(line.test.difference, 2)) + cell(bracketed(line.test.interval)) +
+              cell(p_value(line.test.p)) + cell(signed_number(100 * line.win_share, 1)) +
+              cell(bracketed({100 * line.win_share_interval.low, 100 * line.win_share_interval.high}, 1)) +
+              "</tr>\n";
+    }
+    text += "</tbody></table></div>\n";
+  }
+  return text;
 }
 
 std::string statistics(const Row& row, bool open) {
@@ -113,7 +146,8 @@ std::string statistics(const Row& row, bool open) {
                                  open ? " open" : "", escaped(row.condition)) +
                      heads({"a game", "A", "B", "A - B", "95 %", "p", "Holm p"}) + "<tbody>\n";
   for (const Comparison& one : row.comparisons) {
-    text += std::string("<tr") + (one.p_holm < 0.05 ? " class=\"sig\"" : "") + ">" + cell(one.label) +
+    text += std::string("<tr") + (one.p_holm < 0.05 ? " class=\"sig\"" : "") + ">" +
+            (one.label.starts_with(' ') ? cell(one.label.substr(2), "part") : cell(one.label)) +
             cell(plus_minus(one.a, one.decimals)) + cell(plus_minus(one.b, one.decimals)) +
             cell(signed_number(one.test.difference, one.decimals)) +
             cell(bracketed(one.test.interval, one.decimals)) + cell(p_value(one.test.p)) +
@@ -240,12 +274,12 @@ std::string lead(const Summary& summary) {
     ++told;
     text += fmt::format("<p><b>{}</b>: {}", escaped(titled(header, i)), escaped(row.verdict()));
     if (row.difference.count > 0) {
-      text +=
-          fmt::format("; A scores {} goals a game more than B {}", escaped(signed_plus_minus(row.difference)),
-                      escaped(bracketed(row.t_test.interval)));
+      text += fmt::format("; A - B {} goals a game {}", escaped(signed_plus_minus(row.difference)),
+                          escaped(bracketed(row.t_test.interval)));
     }
     text += "</p>\n";
   }
+  for (const PanelComparison& panel : summary.panels) text += "<p>" + escaped(panel.sentence()) + "</p>\n";
   for (const Sweep& sweep : summary.sweeps) text += "<p><b>Trend</b> " + escaped(sentence(sweep)) + "</p>\n";
   return text + "</div>\n";
 }
@@ -282,7 +316,7 @@ std::string as_html(const Page& page) {
     text += "<h3>The pairs without forfeits alone</h3>\n" + results(header, summary.without_forfeits) +
             differences(summary.without_forfeits);
   }
-  text += "<p class=\"dim small\">";
+  text += panels(summary.panels) + "<h3>Counts</h3>\n" + counts(summary.rows) + "<p class=\"dim small\">";
   for (const std::string& note : footnotes(summary)) text += escaped(note) + ".<br>";
   text += "</p>\n";
   text += drawings(page) + all_statistics(summary.rows) + health_section(page.health, summary) +

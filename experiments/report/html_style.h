@@ -25,6 +25,7 @@ th, td { text-align: right; padding: 5px 12px 5px 0; border-bottom: 1px solid va
 th { color: var(--dim); font-weight: 600; }
 th:first-child, td:first-child, .left { text-align: left !important; }
 tr.sig td { font-weight: 600; }
+td.part { padding-left: 18px; color: var(--dim); font-weight: 400; }
 td.wrap { white-space: normal; max-width: 420px; }
 .bar { display: inline-flex; width: 150px; height: 14px; border-radius: 3px; overflow: hidden; vertical-align: middle; background: var(--line); }
 .bar i { height: 100%; } .bar .a { background: var(--a); } .bar .d { background: var(--draw); } .bar .b { background: var(--b); }

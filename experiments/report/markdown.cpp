@@ -74,6 +74,19 @@ std::string as_markdown(const Summary& summary) {
                         header.forfeit_goals) +
             table(header, summary.without_forfeits);
   }
+  for (const PanelComparison& panel : summary.panels) {
+    text += "\n### " + cell(panel.title()) + "\n\n" + panel.sentence() +
+            "\n\n| opponent | pairs | A | B | A - B | [95 %] | p | win % A - B [95 %] |\n"
+            "|---|---:|---|---|---|---|---|---|\n";
+    for (const PanelComparison::Line& line : panel.lines) {
+      const stats::Interval& share = line.win_share_interval;
+      text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} {} |\n", cell(line.opponent), line.pairs,
+                          signed_plus_minus(line.a), signed_plus_minus(line.b),
+                          signed_number(line.test.difference, 2), bracketed(line.test.interval),
+                          p_value(line.test.p), signed_number(100 * line.win_share, 1),
+                          bracketed({100 * share.low, 100 * share.high}, 1));
+    }
+  }
   if (!summary.sweeps.empty()) text += "\n### Trends\n\n";
   for (const Sweep& sweep : summary.sweeps) text += "* " + sentence(sweep) + "\n";
   for (const Row& row : summary.rows) {

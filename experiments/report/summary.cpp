@@ -42,6 +42,7 @@ class Counter {
     std::array<double, 2> legs{};
     for (std::size_t leg = 0; leg < legs.size(); ++leg) legs.at(leg) = add(*pair.at(leg));
     legs_.push_back(legs);
+    row_.pair_numbers.push_back(pair[0]->key.pair);
     row_.pair_differences.push_back((legs[0] + legs[1]) / 2);
     pairs_.push_back(pair);
   }
@@ -108,7 +109,7 @@ class Counter {
 void adjust(std::vector<Row>& rows, const std::vector<Header::Condition>& conditions) {
   std::vector<Row*> asked;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (conditions[i].sweep.empty() && rows[i].games > 0) asked.push_back(&rows[i]);
+    if (conditions[i].sweep.empty() && !conditions[i].panel && rows[i].games > 0) asked.push_back(&rows[i]);
   }
   if (asked.size() < 2) return;
   std::vector<double> p;
@@ -123,6 +124,24 @@ void adjust(std::vector<Row>& rows, const std::vector<Header::Condition>& condit
     asked[i]->p_holm = p[i];
     asked[i]->permutation_p_holm = permutation[i];
   }
+}
+
+std::vector<PanelComparison> panels_of(const std::vector<Row>& rows,
+                                       const std::vector<Header::Condition>& conditions) {
+  std::map<std::string, std::map<std::string, std::array<PanelGames, 2>>> found;  // base, opponent, arm
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!conditions[i].panel) continue;
+    const Header::Condition::Panel& place = *conditions[i].panel;
+    PanelGames& games = found[place.base][place.opponent].at(place.arm == 'a' ? 0 : 1);
+    games.team = rows[i].a.name;
+    games.wins = rows[i].a.wins;
+    games.games = rows[i].games;
+    for (std::size_t k = 0; k < rows[i].pair_numbers.size(); ++k)
+      games.differences[rows[i].pair_numbers[k]] = rows[i].pair_differences[k];
+  }
+  std::vector<PanelComparison> panels;
+  for (const auto& [base, opponents] : found) panels.push_back(compare_panel(base, opponents));
+  return panels;
 }
 
 std::vector<Sweep> sweeps_of(const std::vector<Row>& rows, const std::vector<Header::Condition>& conditions) {
@@ -197,6 +216,7 @@ Summary summarise(Header header, std::span<const Attempt> attempts) {
   if (!any_forfeit) summary.without_forfeits.clear();
   adjust(summary.rows, summary.header.conditions);
   adjust(summary.without_forfeits, summary.header.conditions);
+  summary.panels = panels_of(summary.rows, summary.header.conditions);
   summary.sweeps = sweeps_of(summary.rows, summary.header.conditions);
   return summary;
 }

@@ -10,6 +10,7 @@
 #include "experiments/record/attempt.h"
 #include "experiments/record/match_config.h"
 #include "experiments/report/comparison.h"
+#include "experiments/report/panel.h"
 #include "experiments/stats/correlation.h"
 #include "experiments/stats/intervals.h"
 #include "experiments/stats/trend.h"
@@ -24,6 +25,13 @@ struct Header {
     record::TeamConfig a;
     record::TeamConfig b;
     std::string realism;
+    /// A or B of a panel against one of its opponents; the team is `a` here.
+    struct Panel {
+      std::string base;      ///< which panel
+      std::string opponent;  ///< its name
+      char arm = 'a';        ///< 'a' or 'b'
+    };
+    std::optional<Panel> panel{};
     std::string sweep{};                     ///< the sweep it is a point of; empty: none
     std::map<std::string, double> values{};  ///< of the sweep: what was set, by its key ("b.speed_factor")
   };
@@ -64,6 +72,7 @@ struct Row {
   stats::Interval bootstrap;             ///< of the difference
   double permutation_p = 1;              ///< of the difference: sign flips over pairs
   stats::PairCorrelation correlation;    ///< of the goal differences of a pair's two games
+  std::vector<int> pair_numbers;         ///< of the complete pairs
   std::vector<double> pair_differences;  ///< in the order of the pairs
   double p = 1;                          ///< sign test of A's wins against its losses, two-sided
   /// Both p adjusted for the number of conditions (Holm); nothing: there is nothing to adjust for, or the
@@ -93,8 +102,9 @@ struct Summary {
   Header header;
   std::vector<Row> rows;              ///< a forfeit counts as lost, 0 to `forfeit_goals`
   std::vector<Row> without_forfeits;  ///< the pairs without one; empty when there was none at all
-  std::vector<Sweep> sweeps;          ///< one for each key that takes different values
-  std::int64_t games = 0;             ///< of complete pairs, all conditions
+  std::vector<PanelComparison> panels;
+  std::vector<Sweep> sweeps;  ///< one for each key that takes different values
+  std::int64_t games = 0;     ///< of complete pairs, all conditions
   std::int64_t planned = 0;
   std::int64_t repeated_games = 0;  ///< games that went exactly like an earlier one: no new evidence
 };

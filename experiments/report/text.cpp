@@ -135,6 +135,17 @@ std::string as_text(const Summary& summary) {
   if (!summary.without_forfeits.empty()) {
     text += "\nThe pairs without forfeits alone\n\n" + table(header, summary.without_forfeits);
   }
+  for (const PanelComparison& panel : summary.panels) {
+    text += "\n" + wrapped(panel.sentence(), "  ");
+    text += fmt::format("  {:<30} {:>5} {:>15} {:>15} {:>8}  {:<16} {}\n", "opponent", "pairs", "A", "B",
+                        "A - B", "95 %", "p");
+    for (const PanelComparison::Line& line : panel.lines) {
+      text += fmt::format("  {} {:>5} {} {} {:>8}  {:<16} {}\n", left(shortened(line.opponent, 30), 30),
+                          line.pairs, right(signed_plus_minus(line.a), 15),
+                          right(signed_plus_minus(line.b), 15), signed_number(line.test.difference, 2),
+                          bracketed(line.test.interval), p_value(line.test.p));
+    }
+  }
   if (!summary.sweeps.empty()) text += "\nTrends\n";
   for (const Sweep& sweep : summary.sweeps) text += wrapped(sentence(sweep), "  ");
   text += all_statistics(summary.rows) + "\n";
