@@ -38,9 +38,7 @@ int report(const ReportOptions& options) {
     std::cout << report::write_html(options.folder, found, experiment.attempts).string() << "\n";
   }
   if (options.figures) write_figures(found, *options.figures);
-  if (options.html || options.figures) return done;
-  std::cout << report::formatted(found, options.format);
-  if (options.format == "text" || options.format == "markdown") std::cout << conclusion(experiment);
+  if (!options.html && !options.figures) std::cout << report::formatted(found, options.format);
   return done;
 }
 
