@@ -33,17 +33,12 @@ report::Summary summary(const Experiment& experiment) {
   header.forfeit_goals = design.forfeit_goals;
   header.experiment = experiment.hash;
   for (const schedule::Condition& condition : design.conditions) {
-    header.conditions.push_back({condition.name, condition.a, condition.b, record::text(condition.realism)});
+    header.conditions.push_back({condition.name, condition.a, condition.b, record::text(condition.realism),
+                                 condition.sweep, condition.values});
   }
+  if (design.stopping.rule != schedule::StopRule::Fixed) header.stopping = stopping::rule(design);
+  header.answers = stopping::sentences(design, experiment.attempts);
   return report::summarise(std::move(header), stopping::counted(design, experiment.attempts));
-}
-
-std::string conclusion(const Experiment& experiment) {
-  std::string text;
-  for (const std::string& sentence : stopping::sentences(experiment.design, experiment.attempts)) {
-    text += (text.empty() ? "\n" : "") + sentence + "\n";
-  }
-  return text;
 }
 
 }  // namespace commands

@@ -127,6 +127,8 @@ void add_compare(CLI::App& main, commands::CompareOptions& options) {
   app.add_option("--out", options.run_options.out, "result folder, if not results/compare-BASE-NEXT-COMMITS");
   app.add_option("--workers", options.run_options.workers, "games at a time, if not one per processor")
       ->check(CLI::Range(1, 1024));
+  app.add_flag("!--no-preflight", options.run_options.preflight,
+               "skip the short game that shows that both teams move");
   app.add_option("--worker", options.run_options.worker)->group("");
 }
 

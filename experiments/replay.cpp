@@ -66,7 +66,7 @@ int compare(const record::MatchRecord& again, const record::Attempt& attempt, bo
 
 int replay(const ReplayOptions& options) {
   Experiment experiment = read_experiment(options.folder);
-  builds::prepare(experiment.design, options.folder / "builds", std::cerr);
+  if (!options.recorded) builds::prepare(experiment.design, options.folder / "builds", std::cerr);
   const schedule::Game game = schedule::find_game(experiment.design, options.game);
   const record::Attempt& attempt = recorded(experiment, game.key);
 

@@ -41,9 +41,8 @@ int report(const ReportOptions& options) {
   if (options.figures) write_figures(found, *options.figures);
   if (options.html || options.figures) return done;
   std::cout << report::formatted(found, options.format);
-  if (options.format == "text" || options.format == "markdown") {
-    std::cout << conclusion(experiment);
-    if (!experiment.audits.empty()) std::cout << "\n" << runner::audit_summary(experiment.audits) << "\n";
+  if ((options.format == "text" || options.format == "markdown") && !experiment.audits.empty()) {
+    std::cout << "\n" << runner::audit_summary(experiment.audits) << "\n";
   }
   return done;
 }

@@ -89,7 +89,7 @@ int run(const RunOptions& options) {
   }
   if (result.ending == runner::Ending::PreflightFailed) return preflight_failed;
   const Experiment experiment = read_experiment(result.out);
-  std::cout << report::as_text(summary(experiment)) << conclusion(experiment);
+  std::cout << report::as_text(summary(experiment));
   if (result.ending == runner::Ending::Done) return verdict(experiment);
   std::cerr << "when it is mended, " << again << std::endl;
   return faults;

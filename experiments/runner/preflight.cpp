@@ -13,10 +13,13 @@ constexpr double half_length = 15;  // [s]: both teams take a kickoff; with its 
 
 std::vector<PreflightGame> preflight_games(const schedule::Design& design) {
   std::vector<PreflightGame> games;
-  std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> seen;
+  // What plays: the command, and the checkout of a team from git.
+  using Program = std::pair<std::vector<std::string>, std::filesystem::path>;
+  std::vector<std::pair<Program, Program>> seen;
   for (std::size_t i = 0; i < design.conditions.size(); ++i) {
     const schedule::Condition& condition = design.conditions[i];
-    const std::pair pairing{condition.a.command, condition.b.command};
+    const std::pair<Program, Program> pairing{{condition.a.command, condition.a.directory},
+                                              {condition.b.command, condition.b.directory}};
     if (std::find(seen.begin(), seen.end(), pairing) != seen.end()) continue;
     seen.push_back(pairing);
     Job job{schedule::game(design, 2 * i), 1};

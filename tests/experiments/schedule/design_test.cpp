@@ -202,6 +202,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "night.toml:11: stopping.h1 = 11: must be from -10 to 10"},
         Mistake{head + teams + "[stopping]\nrule = \"sequential\"\nmetric = \"points\"\nclip = 3\n",
                 "night.toml:12: stopping.clip = 3: is for the goal difference"},
+        Mistake{head + teams + "[stopping]\nrule = \"sequential\"\nmetric = \"points\"\nh1 = 0.8\n",
+                "night.toml:12: stopping.h1 = 0.8: must be from -0.5 to 0.5 for points"},
         Mistake{head + teams + "[stopping]\nrule = \"fixed\"\nalpha = 0.1\n", "unknown key stopping.alpha"},
         Mistake{head + teams + "[limits]\nteam_memory = 0\n",
                 "night.toml:10: limits.team_memory = 0: must be from 1 to"},
