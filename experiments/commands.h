@@ -74,6 +74,33 @@ struct RunOptions {
 /// A design, until all its games are in the ledger; then its table.
 int run(const RunOptions& options);
 
+struct PlanOptions {
+  std::filesystem::path design;
+  std::filesystem::path
+      from;         ///< a result folder with games of these teams; empty: the design's own, or none
+  int workers = 0;  ///< 0: one per processor
+};
+/// The size of a design, the time it takes here, and what it can show.
+int plan(const PlanOptions& options);
+
+struct CompareOptions {
+  std::string base;  ///< revision: team B
+  std::string next;  ///< revision: team A, which is asked to be better
+  std::string repository = ".";
+  std::string build;
+  std::string run;
+  int games = 200;
+  std::uint64_t seed = 1;
+  std::string rules = "ssl-2015";
+  std::string realism = "measured";   ///< a preset
+  std::optional<double> half_length;  ///< [s]
+  bool sequential = false;            ///< stop as soon as a sequential test has an answer
+  double h1 = 0.2;                    ///< of that test, in standard deviations of a game's goal difference
+  RunOptions run_options;             ///< its design is written by compare
+};
+/// Builds two revisions of a team and lets them play each other: writes a design and runs it.
+int compare(const CompareOptions& options);
+
 struct ReportOptions {
   std::filesystem::path folder;
   std::string format = "text";

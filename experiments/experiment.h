@@ -20,6 +20,10 @@ struct Experiment {
 /// @throws record::StorageError when there is no usable ledger in the folder
 Experiment read_experiment(const std::filesystem::path& folder);
 
+/// Of the games that count: where a stopping rule ended the games of a condition, those up to there.
 report::Summary summary(const Experiment& experiment);
+
+/// Whether games are still to be played, by the number of pairs and the stopping rule.
+bool goes_on(const Experiment& experiment, const report::Summary& summary);
 
 }  // namespace commands

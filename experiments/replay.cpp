@@ -2,6 +2,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "experiments/builds/builds.h"
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/experiment.h"
@@ -26,7 +27,8 @@ const record::Attempt& recorded(const Experiment& experiment, const record::Game
 }  // namespace
 
 int replay(const ReplayOptions& options) {
-  const Experiment experiment = read_experiment(options.folder);
+  Experiment experiment = read_experiment(options.folder);
+  builds::prepare(experiment.design, options.folder / "builds", std::cerr);
   const schedule::Game game = schedule::find_game(experiment.design, options.game);
   const record::Attempt& attempt = recorded(experiment, game.key);
 

@@ -35,7 +35,9 @@ int report(const ReportOptions& options) {
   const Experiment experiment = read_experiment(options.folder);
   const report::Summary found = summary(experiment);
   if (options.html) {
-    std::cout << report::write_html(options.folder, found, experiment.attempts).string() << "\n";
+    std::cout
+        << report::write_html(options.folder, found, experiment.attempts, goes_on(experiment, found)).string()
+        << "\n";
   }
   if (options.figures) write_figures(found, *options.figures);
   if (!options.html && !options.figures) std::cout << report::formatted(found, options.format);

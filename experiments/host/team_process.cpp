@@ -34,6 +34,7 @@ void TeamProcess::blame(Termination termination, const std::string& what) {
 void TeamProcess::start(const std::filesystem::path& directory) {
   process::Command command;
   command.arguments = config_.command;
+  command.directory = config_.directory;
   command.environment = {{"MATCHDAY_SOCKET", listener_.path().string()}};
   if (!directory.empty()) command.output = directory / (std::string(world::name(team_)) + ".log");
   try {

@@ -190,7 +190,7 @@ std::optional<Usage> usage(pid_t process) {
 
 Child::Child(const Command& command) : log_(command.output, command.output_limit) {
   if (command.arguments.empty()) throw StartError("the command of a program is empty");
-  const std::string program = find_program(command.arguments.front()).string();
+  const std::string program = find_program(command.arguments.front(), command.directory).string();
   std::vector<std::string> arguments = command.arguments;
   std::vector<std::string> environment = whole_environment(command);
   const std::vector<char*> argument_pointers = pointers(arguments);

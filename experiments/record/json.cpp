@@ -62,10 +62,12 @@ class Fields {
 };
 
 Json team_json(const TeamConfig& team) {
-  return Json{{"name", team.name},
-              {"command", team.command},
-              {"robots", team.robots},
-              {"speed_factor", team.speed_factor}};
+  Json json{{"name", team.name},
+            {"command", team.command},
+            {"robots", team.robots},
+            {"speed_factor", team.speed_factor}};
+  if (!team.directory.empty()) json["directory"] = team.directory.string();
+  return json;
 }
 
 TeamConfig team_from(const Json& json, const std::string& what) {
@@ -75,6 +77,7 @@ TeamConfig team_from(const Json& json, const std::string& what) {
   fields.read("command", team.command);
   fields.read("robots", team.robots);
   fields.read("speed_factor", team.speed_factor);
+  if (fields.has("directory")) team.directory = fields.text("directory");
   return team;
 }
 

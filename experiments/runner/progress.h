@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <iosfwd>
@@ -24,6 +25,13 @@ class Progress {
   /// Takes in games that were there already, or the one that has just ended.
   void known(const record::Attempt& attempt);
   void ended(const record::Attempt& attempt, std::size_t resolved, Clock::time_point now = Clock::now());
+
+  /// There are fewer games to be played than it seemed.
+  void set_total(std::size_t total, std::size_t resolved) {
+    total_ = total;
+    resolved_ = resolved;
+    resolved_before_ = std::min(resolved_before_, resolved);
+  }
 
   /// Draws the line anew, at most a few times a second.
   void tick(std::size_t running, Clock::time_point now = Clock::now());

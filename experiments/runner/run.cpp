@@ -14,6 +14,8 @@
 #include "experiments/runner/progress.h"
 #include "experiments/runner/result_folder.h"
 #include "experiments/runner/signals.h"
+#include "experiments/stopping/watch.h"
+#include "experiments/stopping/wording.h"
 
 namespace runner {
 namespace {
@@ -42,16 +44,21 @@ class Run {
  public:
   Run(const schedule::Design& design, const RunOptions& options, const ResultFolder& folder,
       record::Ledger& ledger, std::ostream& out)
-      : options_(options),
+      : design_(design),
+        options_(options),
         folder_(folder),
         ledger_(ledger),
         before_(ledger.attempts()),
         plan_(design, before_),
+        watch_(design),
         progress_(out, options.terminal, design, plan_.total(), plan_.resolved()),
         cpus_(processors()),
         workers_(static_cast<std::size_t>(options.workers > 0 ? options.workers
                                                               : static_cast<int>(cpus_.size()))) {
-    for (const record::Attempt& attempt : before_) progress_.known(attempt);
+    for (const record::Attempt& attempt : before_) {
+      progress_.known(attempt);
+      stop_where_answered(attempt);
+    }
   }
 
   RunResult play() {
@@ -132,7 +139,25 @@ class Run {
     if (attempt.record.at_fault == record::Party::Nobody) folder_.forget_game(record::game_id(attempt.key));
     const bool is_void = record::outcome(attempt.record) == record::Outcome::Void;
     faults_in_a_row_ = is_void ? faults_in_a_row_ + 1 : 0;
+    const std::vector<std::size_t> answered = stop_where_answered(attempt);
     progress_.ended(attempt, plan_.resolved());
+    for (const std::size_t question : answered) {
+      progress_.say(stopping::sentence(watch_.standings()[question], design_));
+    }
+  }
+
+  /// Games of questions that are answered are not started any more; those that are running end by themselves.
+  std::vector<std::size_t> stop_where_answered(const record::Attempt& attempt) {
+    if (design_.stopping.rule == schedule::StopRule::Fixed) return {};
+    const std::vector<std::size_t> answered = watch_.add(attempt);
+    for (const std::size_t question : answered) {
+      const stopping::Standing& standing = watch_.standings()[question];
+      for (const stopping::Question::Term& term : standing.question.terms) {
+        plan_.stop(design_.conditions[term.condition].name, standing.next_pair);
+      }
+    }
+    if (!answered.empty()) progress_.set_total(plan_.total(), plan_.resolved());
+    return answered;
   }
 
   /// Games that are cut short leave no row: they are played again.
@@ -146,11 +171,13 @@ class Run {
     }
   }
 
+  const schedule::Design& design_;
   const RunOptions& options_;
   const ResultFolder& folder_;
   record::Ledger& ledger_;
   std::vector<record::Attempt> before_;
   Plan plan_;
+  stopping::Watch watch_;
   Progress progress_;
   Signals signals_;
   std::vector<int> cpus_;
