@@ -1,8 +1,10 @@
 #include "experiments/experiment.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "experiments/record/ledger.h"
+#include "experiments/runner/audit.h"
 #include "experiments/stopping/wording.h"
 
 namespace commands {
@@ -33,12 +35,28 @@ report::Summary summary(const Experiment& experiment) {
   header.forfeit_goals = design.forfeit_goals;
   header.experiment = experiment.hash;
   for (const schedule::Condition& condition : design.conditions) {
-    header.conditions.push_back({condition.name, condition.a, condition.b, record::text(condition.realism),
-                                 condition.sweep, condition.values});
+    report::Header::Condition one{condition.name, condition.a, condition.b, record::text(condition.realism)};
+    one.sweep = condition.sweep;
+    one.values = condition.values;
+    if (condition.panel) {
+      one.panel = {condition.panel->base, condition.panel->opponent, condition.panel->arm};
+    }
+    header.conditions.push_back(std::move(one));
   }
   if (design.stopping.rule != schedule::StopRule::Fixed) header.stopping = stopping::rule(design);
   header.answers = stopping::sentences(design, experiment.attempts);
+  if (!experiment.audits.empty()) header.remarks.push_back(runner::audit_summary(experiment.audits));
   return report::summarise(std::move(header), stopping::counted(design, experiment.attempts));
+}
+
+bool goes_on(const Experiment& experiment, const report::Summary& summary) {
+  if (experiment.design.stopping.rule != schedule::StopRule::Fixed) {
+    const auto all = stopping::standings(experiment.design, experiment.attempts);
+    return !std::all_of(all.begin(), all.end(), [](const stopping::Standing& one) { return one.decided(); });
+  }
+  std::int64_t given_up = 0;
+  for (const report::Row& row : summary.rows) given_up += 2 * row.given_up_pairs;
+  return summary.games + given_up < summary.planned;
 }
 
 }  // namespace commands

@@ -25,4 +25,7 @@ Experiment read_experiment(const std::filesystem::path& folder);
 /// Of the games that count: where a stopping rule ended the games of a condition, those up to there.
 report::Summary summary(const Experiment& experiment);
 
+/// Whether games are still to be played, by the number of pairs and the stopping rule.
+bool goes_on(const Experiment& experiment, const report::Summary& summary);
+
 }  // namespace commands

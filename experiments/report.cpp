@@ -9,7 +9,6 @@
 #include "experiments/report/figures.h"
 #include "experiments/report/formats.h"
 #include "experiments/report/html.h"
-#include "experiments/runner/audit.h"
 
 namespace commands {
 
@@ -36,14 +35,12 @@ int report(const ReportOptions& options) {
   const Experiment experiment = read_experiment(options.folder);
   const report::Summary found = summary(experiment);
   if (options.html) {
-    std::cout << report::write_html(options.folder, found, experiment.attempts).string() << "\n";
+    std::cout
+        << report::write_html(options.folder, found, experiment.attempts, goes_on(experiment, found)).string()
+        << "\n";
   }
   if (options.figures) write_figures(found, *options.figures);
-  if (options.html || options.figures) return done;
-  std::cout << report::formatted(found, options.format);
-  if ((options.format == "text" || options.format == "markdown") && !experiment.audits.empty()) {
-    std::cout << "\n" << runner::audit_summary(experiment.audits) << "\n";
-  }
+  if (!options.html && !options.figures) std::cout << report::formatted(found, options.format);
   return done;
 }
 

@@ -46,7 +46,7 @@ std::string frame(const std::string& x_label, const std::string& y_label) {
   return "set terminal svg size 720,440 dynamic enhanced font 'Helvetica,14' background rgb 'white'\n"
          "set encoding utf8\nset termoption noenhanced\n"
          "set border 3 lc rgb '#555555'\nset tics nomirror\nset grid ytics lc rgb '#DDDDDD' lt 1\n"
-         "set key outside top center horizontal\nset errorbars small\n"
+         "set key outside top center horizontal\nset errorbars small\nset pointintervalbox 0\n"
          "set xlabel " +
          quoted(x_label) + "\nset ylabel " + quoted(y_label) + "\n";
 }

@@ -329,12 +329,12 @@ std::string as_html(const Page& page) {
 }
 
 std::filesystem::path write_html(const std::filesystem::path& folder, const Summary& summary,
-                                 std::span<const record::Attempt> attempts) {
+                                 std::span<const record::Attempt> attempts, bool goes_on) {
   Page page;
   page.summary = summary;
   page.health = health_of(attempts);
   page.attempts = attempts;
-  page.refresh = summary.games < summary.planned;
+  page.refresh = goes_on;
   page.made = fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)));
   try {
     for (Figure& figure : figures(summary)) {

@@ -34,6 +34,6 @@ std::string as_html(const Page& page);
 /// @return the file
 /// @throws record::StorageError when it cannot be written
 std::filesystem::path write_html(const std::filesystem::path& folder, const Summary& summary,
-                                 std::span<const record::Attempt> attempts);
+                                 std::span<const record::Attempt> attempts, bool goes_on);
 
 }  // namespace report

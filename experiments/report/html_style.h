@@ -32,7 +32,7 @@ td.wrap { white-space: normal; max-width: 420px; }
 .key { font-size: 13px; color: var(--dim); } .key i { display: inline-block; width: 10px; height: 10px; border-radius: 2px; margin: 0 4px 0 12px; }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(440px, 1fr)); gap: 18px 26px; }
 figure { margin: 0; } figure svg { width: 100%; height: auto; } figcaption { font-size: 13px; color: var(--dim); }
-table.games th { cursor: pointer; user-select: none; } table.games th.up::after { content: " \25B2"; } table.games th.down::after { content: " \25BC"; }
+table.games { font-size: 13px; } table.games th, table.games td { padding: 3px 8px 3px 0; } table.games th { cursor: pointer; user-select: none; } table.games th.up::after { content: " \25B2"; } table.games th.down::after { content: " \25BC"; }
 tr.bad td { background: #fff1ee; }
 code, pre { font: 12.5px/1.45 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; }
 pre { background: var(--soft); padding: 12px; overflow-x: auto; }

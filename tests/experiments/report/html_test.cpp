@@ -104,7 +104,7 @@ class WriteHtml : public testing::Test {
 TEST_F(WriteHtml, WritesOneFileWithTheManifest) {
   std::ofstream(folder_ / "manifest.json") << "{\"commit\": \"abc\"}";
   std::ofstream(folder_ / "report.html") << "an older one";
-  EXPECT_EQ(write_html(folder_, example(), {}), folder_ / "report.html");
+  EXPECT_EQ(write_html(folder_, example(), {}, false), folder_ / "report.html");
   std::ostringstream text;
   text << std::ifstream(folder_ / "report.html").rdbuf();
   EXPECT_THAT(text.str(), HasSubstr("&quot;commit&quot;: &quot;abc&quot;"));
@@ -115,7 +115,7 @@ TEST_F(WriteHtml, WritesOneFileWithTheManifest) {
 
 TEST_F(WriteHtml, SaysWhichFileCannotBeWritten) {
   try {
-    write_html(folder_ / "missing", example(), {});
+    write_html(folder_ / "missing", example(), {}, false);
     ADD_FAILURE() << "nothing thrown";
   } catch (const record::StorageError& error) {
     EXPECT_THAT(error.what(), HasSubstr("missing/report.html: cannot be written"));
