@@ -76,7 +76,7 @@ std::optional<Kick> shot(const kit::View& view, int kicker, const Parameters& pa
   std::optional<double> aimed;
   if (before && before->kind == Kick::Kind::Shot) aimed = before->direction;
   const skills::Opening opening = skills::opening_to_goal(view, ball, parameters.shot_speed, kicker, aimed);
-  const double chance = goal_chance(opening.width, (view.their_goal() - ball).norm());
+  const double chance = goal_chance(opening.width, (view.their_goal() - ball).norm(), is_guarded(view));
   const double bonus = aimed ? keep : 0;
   if (chance + bonus <= parameters.shot_threshold) return {};
   Kick kick;

@@ -20,16 +20,21 @@ constexpr double time_to_turn = 0.6;  // [s] to stop the ball and turn with it (
 
 double Reception::value() const { return safety * (weight_of_goal * goal + (1 - weight_of_goal) * advance); }
 
-double goal_chance(double opening_width, double distance) {
-  const double far = std::clamp((far_shot - distance) / 2.0, 0.0, 1.0);
+bool is_guarded(const kit::View& view) {
+  return kit::find(view.opponents, view.game.their_keeper) != nullptr;
+}
+
+double goal_chance(double opening_width, double distance, bool guarded) {
+  const double far = guarded ? std::clamp((far_shot - distance) / 2.0, 0.0, 1.0) : 1.0;
   return std::min(1.0, opening_width / 0.3) * far;  // 0.3 rad: reference "football", 2.5
 }
 
 double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter,
                    double later) {
   const double distance = (view.their_goal() - point).norm();
-  if (distance >= far_shot) return 0;
-  return goal_chance(skills::width_to_goal(view, point, shot_speed, shooter, later), distance);
+  const bool guarded = is_guarded(view);
+  if (guarded && distance >= far_shot) return 0;
+  return goal_chance(skills::width_to_goal(view, point, shot_speed, shooter, later), distance, guarded);
 }
 
 double redirect_share(const kit::View& view, const Vector2d& from, const Vector2d& point) {

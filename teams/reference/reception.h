@@ -39,7 +39,9 @@ double reach_chance(double own_time, double ball_time);
 /// @param later  [s] until the shot, for their goalkeeper
 double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter,
                    double later = 0);
-double goal_chance(double opening_width, double distance);
+/// @param guarded  false: nobody there to use the time of a long shot
+double goal_chance(double opening_width, double distance, bool guarded = true);
+bool is_guarded(const kit::View& view);  ///< their goalkeeper is on the field
 
 /// How good the angle at `point` between the ball's way in and the way to their goal is for a shot at the
 /// first touch: 1 up to 60 degrees, falling to 0.4 at 120, where it must be stopped and turned.

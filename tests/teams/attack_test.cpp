@@ -290,6 +290,7 @@ TEST(ChooseKick, PassesToThePointGivenNotToWhereTheReceiverIs) {
   const PassTarget target{2, {2.5, -0.7}};
   KickRules rules;
   rules.must_kick = true;
+  rules.shot_allowed = false;
   rules.targets = std::span(&target, 1);
   const Kick kick = choose_kick(view, observer.observe(view), 1, rules, {}, {});
   ASSERT_EQ(kick.kind, Kick::Kind::Pass);
@@ -312,6 +313,18 @@ TEST(ChooseKick, PassesToTheFreeManNotToTheMarkedOne) {
   view.opponents[0].position.y() *= -1;
   Observer other;
   EXPECT_EQ(choose_kick(view, other.observe(view), 1, rules, {}, {}).receiver, 2);
+}
+
+TEST(ChooseKick, ShootsFromAfarAtAGoalWithoutGoalkeeper) {
+  kit::View view = running({-0.5, 0});
+  put(view.own, 1, {-0.6, 0});
+  put(view.own, 2, {2.5, 1.5});
+  view.game.their_keeper = 0;
+  Observer observer;
+  EXPECT_EQ(choose_kick(view, observer.observe(view), 1, {}, {}, {}).kind, Kick::Kind::Shot);
+  put(view.opponents, 0, {4.3, 0});
+  Observer other;
+  EXPECT_NE(choose_kick(view, other.observe(view), 1, {}, {}, {}).kind, Kick::Kind::Shot);
 }
 
 TEST(ChooseKick, ChipsOverWhoStandsInFrontOfTheBall) {
