@@ -7,8 +7,10 @@
 namespace reference {
 namespace {
 
-constexpr double farthest_mark = 1.0;  // [m] opponents beyond are no threat yet (ours)
-constexpr double keeps_mark = 0.2;     // [s] reference "football", 2.7
+constexpr double farthest_mark = 1.0;   // [m] opponents beyond are no threat yet (ours)
+constexpr double keeps_mark = 0.2;      // [s] reference "football", 2.7
+constexpr double urgent_threat = 1.3;   // [s] pass and shot together (ours)
+constexpr std::size_t most_urgent = 3;  // more than that the wall's second robot does not wait for (ours)
 
 }  // namespace
 
@@ -52,15 +54,24 @@ Vector2d mark_position(const kit::View& view, const kit::Robot& opponent) {
   return position + 0.4 * (0.75 * to_goal + 0.25 * to_ball);
 }
 
+int robots_to_close(const kit::View& view) {
+  const world::Field& field = view.field();
+  const Vector2d ball = view.ball.position;
+  const Vector2d goal = view.own_goal();
+  const double half = field.goal_width / 2;
+  const double width = std::abs(world::wrap_angle(world::angle_of(goal + Vector2d(0, half) - ball) -
+                                                  world::angle_of(goal - Vector2d(0, half) - ball)));
+  const double disc = field.robot_radius + field.ball_radius;
+  const auto covers = [disc](double distance) { return 2 * std::asin(std::min(1.0, disc / distance)); };
+  const double goalie = covers(std::max((goal - ball).norm() - 0.3, 0.1));
+  const double each = covers(std::max((wall_position(view, 0, 1) - ball).norm(), 0.1));
+  return std::max(1, static_cast<int>(std::ceil((width - goalie) / each)));
+}
+
 DefensePlan plan_defense(const kit::View& view, const Situation& situation, int defenders,
                          const DefensePlan& before) {
   DefensePlan plan;
   const auto wanted = std::min(static_cast<std::size_t>(std::max(defenders, 0)), plan.tasks.size());
-  // One man in the wall while the ball is far and few are there to mark, else two; the rest marks.
-  const bool one = defenders == 1 || (defenders == 2 && view.ball.position.x() > 0);
-  const int wall = defenders <= 0 ? 0 : one ? 1 : 2;
-  for (int i = 0; i < wall; ++i) plan.tasks[plan.count++] = {DefenseTask::Kind::Wall, i, wall, -1};
-
   // The worst threats in order, but for the one at the ball.
   struct Threat {
     double time = 0;
@@ -81,6 +92,13 @@ DefensePlan plan_defense(const kit::View& view, const Situation& situation, int 
             [](const Threat& a, const Threat& b) {
               return a.time != b.time ? a.time < b.time : a.number < b.number;
             });
+  const auto urgent = static_cast<std::size_t>(
+      std::count_if(threats.begin(), threats.begin() + static_cast<std::ptrdiff_t>(found),
+                    [](const Threat& threat) { return threat.time < urgent_threat; }));
+  // Who can shoot next is marked before a second robot joins the wall.
+  const bool two = wanted >= 2 + std::min(urgent, most_urgent) && robots_to_close(view) > 1;
+  const int wall = wanted == 0 ? 0 : two ? 2 : 1;
+  for (int i = 0; i < wall; ++i) plan.tasks[plan.count++] = {DefenseTask::Kind::Wall, i, wall, -1};
   for (std::size_t i = 0; i < found && plan.count < wanted; ++i) {
     plan.tasks[plan.count++] = {DefenseTask::Kind::Mark, 0, 1, threats[i].number};
   }

@@ -26,10 +26,16 @@ struct DefensePlan {
   std::size_t count = 0;
 };
 
-/// A wall first (one robot for one or two defenders with the ball far away, else two), then the worst threats
-/// each get a marker, 0.2 s in favour of those marked before; who is left covers the middle.
+/// One robot in the wall first, then a marker for each of the worst threats, 0.2 s in favour of those marked
+/// before. The wall gets a second robot when one and the goalie do not close the goal, and everyone who could
+/// shoot next is marked; who is left covers the middle.
 DefensePlan plan_defense(const kit::View& view, const Situation& situation, int defenders,
                          const DefensePlan& before);
+
+/// How many robots in the wall it takes to close the goal together with the goalie, seen from the ball.
+///
+/// A disc at distance d hides 2 asin((R + r) / d). Source  reference "football", 2.7 (cover distances)
+int robots_to_close(const kit::View& view);
 
 /// Where the robot with that task belongs now [m].
 Vector2d task_position(const kit::View& view, const DefenseTask& task);

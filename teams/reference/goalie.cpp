@@ -12,6 +12,9 @@
 namespace reference {
 namespace {
 
+constexpr double nearest_out =
+    0.25;  // [m] of the guarding goalie to the goal line, on the ball's line (ours)
+constexpr double farthest_out = 0.8;    // [m] farther out a pass across finds the goal empty (ours)
 constexpr double safe_pass = 0.75;      // [0..1] from which a clearance is a pass (ours)
 constexpr double clearing_speed = 4.2;  // [m/s] a chip at 45 degrees: 1.8 m through the air; more rolls off
 
@@ -78,9 +81,12 @@ Vector2d guard_position(const kit::View& view, const kit::Robot& robot) {
   const Vector2d out = ball - cut;
   const double distance = out.norm();
   if (distance < 1e-6) return goal + Vector2d(0.3, 0);
-  // Farther out when the ball is near and central: 0.25 to 0.5 m (reference "football", 2.7).
-  const double near = std::clamp((4.0 - distance) / 3.0, 0.0, 1.0);
-  Vector2d place = cut + out / distance * std::min(0.25 + 0.25 * near, distance * 0.7);
+  // A disc closes the opening when it is this near to the ball (reference "football", 2.7).
+  const double closes =
+      (robot.specs.radius + field.ball_radius) / std::sin(std::clamp(0.5 * open.width, 0.05, 1.5));
+  Vector2d place =
+      cut +
+      out / distance * std::min(std::clamp(distance - closes, nearest_out, farthest_out), distance * 0.7);
   place.x() = std::max(place.x(), goal.x() + robot.specs.radius + 0.02);
   place.y() = std::clamp(place.y(), -half, half);
   return place;

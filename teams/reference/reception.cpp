@@ -50,15 +50,16 @@ double reach_chance(double own_time, double ball_time) {
 }
 
 Reception reception_at(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
-                       const Vector2d& point, int receiver) {
+                       const Vector2d& point, int receiver, std::optional<double> arrival) {
   Reception r;
   const world::Field& field = view.field();
   const double length = (point - from).norm();
   const double share = redirect_share(view, from, point);
   // 3.5 m/s where the ball may be shot on at once, 2.2 where it is to be held (reference "football", 2.6).
   const bool near = (view.their_goal() - point).norm() < shot_from;
-  const bool one_touch = near && share >= 1;
-  const skills::Pass pass = skills::plan_pass(view, model, from, point, one_touch ? 3.5 : 2.2);
+  const bool one_touch = near && share >= 1 && !arrival;
+  const skills::Pass pass =
+      skills::plan_pass(view, model, from, point, arrival.value_or(one_touch ? 3.5 : 2.2));
   r.speed = pass.speed;
   r.ball_time = pass.time;
   r.safety = pass.safety;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "teams/kit/ball_model.h"
 #include "teams/kit/view.h"
 
@@ -23,8 +25,9 @@ struct Reception {
 };
 
 /// @param receiver  its own hull does not stand in the way of its shot; -1: nobody's
+/// @param arrival   [m/s] of the ball; nothing: 3.5 where it may be shot on at once, else 2.2
 Reception reception_at(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
-                       const Vector2d& point, int receiver = -1);
+                       const Vector2d& point, int receiver = -1, std::optional<double> arrival = {});
 
 /// P_reach: chance that the receiver is there with the ball.
 ///

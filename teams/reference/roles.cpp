@@ -134,7 +134,9 @@ Formation formation(int field_players, Possession possession, double ball_x, con
   if (possession == Possession::Ours && ball_x > -0.5) defenders -= 1;
   // Never all in defence, never none: at least one in front when three or more are left.
   defenders = std::clamp(defenders, std::min(rest, 1), rest >= 3 ? rest - 1 : rest);
-  if (rest == 2) defenders = possession == Possession::Theirs ? 2 : 1;
+  if (rest == 2) defenders = 1;
+  // But in our half everybody defends against the ball (reference "football", 2.8: 1 + 4 + 1).
+  if (possession == Possession::Theirs && ball_x < 0.5) defenders = rest;
   f.defenders = defenders;
   f.supports = rest - defenders;
   return f;
