@@ -67,8 +67,9 @@ const char* name(Kick::Kind kind) {
 
 namespace {
 
-constexpr double keep = 0.05;    // of value, in favour of the choice before
-constexpr double notices = 0.1;  // [s] until the receiver sees that the ball was kicked
+constexpr double keep = 0.05;         // of value, in favour of the choice before
+constexpr double slow_arrival = 1.2;  // [m/s] of a pass to one who would be late
+constexpr double notices = 0.1;       // [s] until the receiver sees that the ball was kicked
 
 std::optional<Kick> shot(const kit::View& view, int kicker, const Parameters& parameters,
                          const std::optional<Kick>& before) {
@@ -76,7 +77,7 @@ std::optional<Kick> shot(const kit::View& view, int kicker, const Parameters& pa
   std::optional<double> aimed;
   if (before && before->kind == Kick::Kind::Shot) aimed = before->direction;
   const skills::Opening opening = skills::opening_to_goal(view, ball, parameters.shot_speed, kicker, aimed);
-  const double chance = goal_chance(opening.width, (view.their_goal() - ball).norm());
+  const double chance = goal_chance(opening.width, (view.their_goal() - ball).norm(), is_guarded(view));
   const double bonus = aimed ? keep : 0;
   if (chance + bonus <= parameters.shot_threshold) return {};
   Kick kick;
@@ -100,30 +101,36 @@ std::optional<Kick> pass_to(const kit::View& view, const Situation& situation, c
   if (rules.must_go_forward && target.x() - ball.x() < 0.5 * length) return {};
   // Across the own goal is how games are lost.
   if (target.x() < -2.5 && ball.x() > target.x()) return {};
-  Reception reception = reception_at(view, situation.model, ball, target, mate.number);
   Kick kick;
   kick.kind = Kick::Kind::Pass;
   kick.target = target;
   kick.direction = world::angle_of(target - ball);
   kick.receiver = mate.number;
   kick.tolerance = std::clamp(0.12 / length, 0.03, 0.12);
-  kick.speed = reception.speed;
-  if (reception.safety < 0.5) {
-    if (const auto chip = skills::plan_chip(view, situation.model, ball, target)) {
-      const double safety = 0.7 * chip->safety;  // a hopping ball is harder to take (ours)
-      if (safety > reception.safety) {
-        reception.safety = safety;
-        reception.ball_time = chip->time;
-        kick.speed = chip->speed;
-        kick.angle = chip->angle;
-      }
-    }
-  }
   const double turn = std::abs(world::wrap_angle(kick.direction - kicker.orientation));
   const double kick_time = time_to_ball(view, situation, kicker) + turn / 8.0;  // [rad/s] of a turn
   const double own = notices + skills::travel_time(target - mate.position, mate.velocity,
                                                    skills::driving_limits(mate.specs));
-  kick.value = reception.value() * reach_chance(own, kick_time + reception.ball_time);
+  const auto consider = [&](const Reception& reception, double speed, double angle) {
+    const double value = reception.value() * reach_chance(own, kick_time + reception.ball_time);
+    if (value <= kick.value) return;
+    kick.value = value;
+    kick.speed = speed;
+    kick.angle = angle;
+  };
+  Reception reception = reception_at(view, situation.model, ball, target, mate.number);
+  consider(reception, reception.speed, 0);
+  if (own > kick_time + reception.ball_time) {
+    const Reception slow = reception_at(view, situation.model, ball, target, mate.number, slow_arrival);
+    consider(slow, slow.speed, 0);
+  }
+  if (reception.safety < 0.5) {
+    if (const auto chip = skills::plan_chip(view, situation.model, ball, target)) {
+      reception.safety = 0.7 * chip->safety;  // a hopping ball is harder to take (ours)
+      reception.ball_time = chip->time;
+      consider(reception, chip->speed, chip->angle);
+    }
+  }
   return kick;
 }
 

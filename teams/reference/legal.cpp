@@ -64,15 +64,19 @@ Vector2d clear_of_ball(const kit::View& view, const kit::Robot& robot, const Vec
   Vector2d out = point - ball;
   if (out.norm() >= radius && is_free(point)) return point;
   if (out.norm() < 0.05) out = view.own_goal() - ball;
-  const Vector2d at_least = out.normalized() * std::max(radius, out.norm());
-  constexpr double step = 0.1;  // [rad]
-  for (int k = 0; k * step < M_PI; ++k) {
-    for (const int side : {1, -1}) {
-      const Vector2d place = ball + world::rotated(at_least, side * k * step);
-      if (is_free(place)) return place;
+  constexpr double step = 0.1;      // [rad]
+  constexpr double farther = 0.25;  // [m] where no direction is free: the ball lies in the goal's corner
+  double far = std::max(radius, out.norm());
+  out.normalize();
+  for (int ring = 0; ring < 8; ++ring, far += farther) {
+    for (int k = 0; k * step < M_PI; ++k) {
+      for (const int side : {1, -1}) {
+        const Vector2d place = ball + far * world::rotated(out, side * k * step);
+        if (is_free(place)) return place;
+      }
     }
   }
-  return ball + at_least;
+  return ball + far * out;
 }
 
 void make_legal(const kit::View& view, const kit::Robot& robot, const Roles& roles,

@@ -20,16 +20,21 @@ constexpr double time_to_turn = 0.6;  // [s] to stop the ball and turn with it (
 
 double Reception::value() const { return safety * (weight_of_goal * goal + (1 - weight_of_goal) * advance); }
 
-double goal_chance(double opening_width, double distance) {
-  const double far = std::clamp((far_shot - distance) / 2.0, 0.0, 1.0);
+bool is_guarded(const kit::View& view) {
+  return kit::find(view.opponents, view.game.their_keeper) != nullptr;
+}
+
+double goal_chance(double opening_width, double distance, bool guarded) {
+  const double far = guarded ? std::clamp((far_shot - distance) / 2.0, 0.0, 1.0) : 1.0;
   return std::min(1.0, opening_width / 0.3) * far;  // 0.3 rad: reference "football", 2.5
 }
 
 double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter,
                    double later) {
   const double distance = (view.their_goal() - point).norm();
-  if (distance >= far_shot) return 0;
-  return goal_chance(skills::width_to_goal(view, point, shot_speed, shooter, later), distance);
+  const bool guarded = is_guarded(view);
+  if (guarded && distance >= far_shot) return 0;
+  return goal_chance(skills::width_to_goal(view, point, shot_speed, shooter, later), distance, guarded);
 }
 
 double redirect_share(const kit::View& view, const Vector2d& from, const Vector2d& point) {
@@ -45,15 +50,16 @@ double reach_chance(double own_time, double ball_time) {
 }
 
 Reception reception_at(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
-                       const Vector2d& point, int receiver) {
+                       const Vector2d& point, int receiver, std::optional<double> arrival) {
   Reception r;
   const world::Field& field = view.field();
   const double length = (point - from).norm();
   const double share = redirect_share(view, from, point);
   // 3.5 m/s where the ball may be shot on at once, 2.2 where it is to be held (reference "football", 2.6).
   const bool near = (view.their_goal() - point).norm() < shot_from;
-  const bool one_touch = near && share >= 1;
-  const skills::Pass pass = skills::plan_pass(view, model, from, point, one_touch ? 3.5 : 2.2);
+  const bool one_touch = near && share >= 1 && !arrival;
+  const skills::Pass pass =
+      skills::plan_pass(view, model, from, point, arrival.value_or(one_touch ? 3.5 : 2.2));
   r.speed = pass.speed;
   r.ball_time = pass.time;
   r.safety = pass.safety;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "teams/kit/ball_model.h"
 #include "teams/kit/view.h"
 
@@ -23,8 +25,9 @@ struct Reception {
 };
 
 /// @param receiver  its own hull does not stand in the way of its shot; -1: nobody's
+/// @param arrival   [m/s] of the ball; nothing: 3.5 where it may be shot on at once, else 2.2
 Reception reception_at(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
-                       const Vector2d& point, int receiver = -1);
+                       const Vector2d& point, int receiver = -1, std::optional<double> arrival = {});
 
 /// P_reach: chance that the receiver is there with the ball.
 ///
@@ -39,7 +42,9 @@ double reach_chance(double own_time, double ball_time);
 /// @param later  [s] until the shot, for their goalkeeper
 double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter,
                    double later = 0);
-double goal_chance(double opening_width, double distance);
+/// @param guarded  false: nobody there to use the time of a long shot
+double goal_chance(double opening_width, double distance, bool guarded = true);
+bool is_guarded(const kit::View& view);  ///< their goalkeeper is on the field
 
 /// How good the angle at `point` between the ball's way in and the way to their goal is for a shot at the
 /// first touch: 1 up to 60 degrees, falling to 0.4 at 120, where it must be stopped and turned.

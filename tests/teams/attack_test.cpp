@@ -290,6 +290,7 @@ TEST(ChooseKick, PassesToThePointGivenNotToWhereTheReceiverIs) {
   const PassTarget target{2, {2.5, -0.7}};
   KickRules rules;
   rules.must_kick = true;
+  rules.shot_allowed = false;
   rules.targets = std::span(&target, 1);
   const Kick kick = choose_kick(view, observer.observe(view), 1, rules, {}, {});
   ASSERT_EQ(kick.kind, Kick::Kind::Pass);
@@ -312,6 +313,37 @@ TEST(ChooseKick, PassesToTheFreeManNotToTheMarkedOne) {
   view.opponents[0].position.y() *= -1;
   Observer other;
   EXPECT_EQ(choose_kick(view, other.observe(view), 1, rules, {}, {}).receiver, 2);
+}
+
+TEST(ChooseKick, ShootsFromAfarAtAGoalWithoutGoalkeeper) {
+  kit::View view = running({-0.5, 0});
+  put(view.own, 1, {-0.6, 0});
+  put(view.own, 2, {2.5, 1.5});
+  view.game.their_keeper = 0;
+  Observer observer;
+  EXPECT_EQ(choose_kick(view, observer.observe(view), 1, {}, {}, {}).kind, Kick::Kind::Shot);
+  put(view.opponents, 0, {4.3, 0});
+  Observer other;
+  EXPECT_NE(choose_kick(view, other.observe(view), 1, {}, {}, {}).kind, Kick::Kind::Shot);
+}
+
+TEST(ChooseKick, PassesMoreSlowlyToOneWhoWouldBeLate) {
+  kit::View view = running({0, 1.5});
+  put(view.own, 1, {-0.1, 1.5});
+  kit::Robot& receiver = put(view.own, 2, {1.0, 0.4});
+  Observer observer;
+  const PassTarget target{2, {1.7, 0.8}};
+  KickRules rules;
+  rules.must_kick = true;
+  rules.shot_allowed = false;
+  rules.targets = std::span(&target, 1);
+  const Kick late = choose_kick(view, observer.observe(view), 1, rules, {}, {});
+  receiver.position = {1.6, 0.7};
+  Observer other;
+  const Kick there = choose_kick(view, other.observe(view), 1, rules, {}, {});
+  ASSERT_EQ(late.receiver, 2);
+  ASSERT_EQ(there.receiver, 2);
+  EXPECT_LT(late.speed, there.speed);
 }
 
 TEST(ChooseKick, ChipsOverWhoStandsInFrontOfTheBall) {
@@ -424,7 +456,9 @@ TEST(SetPlay, KickoffRunnersWaitInOurHalfAndGetTheBallInTheirs) {
     const auto place = set_play_place(view, i, 2);
     ASSERT_TRUE(place);
     EXPECT_LT(place->x(), -field.robot_radius);
-    EXPECT_GT(set_play_target(view, *place).x(), 0);
+    const Vector2d target = set_play_target(view, *place);
+    // Forward enough that the kicker behind the ball stays in its half.
+    EXPECT_GT(target.x(), 0.5 * target.norm());
   }
 }
 

@@ -132,7 +132,7 @@ TEST(Goalie, StandsOnTheBisectorInFrontOfTheGoal) {
   const Vector2d place = guard_position(view, robot);
   EXPECT_NEAR(place.y(), 0, 1e-12);
   EXPECT_GT(place.x(), -4.5);
-  EXPECT_LT(place.x(), -3.9);
+  EXPECT_LT(place.x(), -3.6);
 }
 
 TEST(Goalie, GoesIntoTheWayOfAShot) {
