@@ -13,7 +13,7 @@ Experiment read_experiment(const std::filesystem::path& folder) {
   const record::Experiment stored = ledger.experiment();
   try {
     return {schedule::parse_design(stored.design, file.string() + " (its design)"), stored.hash,
-            ledger.attempts()};
+            ledger.attempts(), ledger.audits()};
   } catch (const std::invalid_argument& error) {
     throw record::StorageError(
         error.what());  // it was valid when it was written: damaged, or of another version

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "experiments/record/attempt.h"
+#include "experiments/record/audit.h"
 #include "experiments/report/summary.h"
 #include "experiments/schedule/design.h"
 
@@ -15,6 +16,7 @@ struct Experiment {
   schedule::Design design;
   std::string hash;
   std::vector<record::Attempt> attempts;
+  std::vector<record::Audit> audits;
 };
 
 /// @throws record::StorageError when there is no usable ledger in the folder

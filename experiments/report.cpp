@@ -9,6 +9,7 @@
 #include "experiments/report/figures.h"
 #include "experiments/report/formats.h"
 #include "experiments/report/html.h"
+#include "experiments/runner/audit.h"
 
 namespace commands {
 
@@ -40,7 +41,10 @@ int report(const ReportOptions& options) {
   if (options.figures) write_figures(found, *options.figures);
   if (options.html || options.figures) return done;
   std::cout << report::formatted(found, options.format);
-  if (options.format == "text" || options.format == "markdown") std::cout << conclusion(experiment);
+  if (options.format == "text" || options.format == "markdown") {
+    std::cout << conclusion(experiment);
+    if (!experiment.audits.empty()) std::cout << "\n" << runner::audit_summary(experiment.audits) << "\n";
+  }
   return done;
 }
 

@@ -65,6 +65,7 @@ int run(const RunOptions& options) {
   settings.version = options.version;
   settings.protocol = "match protocol " + std::to_string(wire::match_protocol_version);
   settings.command_line = options.command_line;
+  settings.refresh_command = {own_program(), "report", settings.out.string(), "--html"};
   settings.terminal = ::isatty(STDERR_FILENO) == 1;
 
   std::cerr << design.name << ": " << schedule::game_count(design) << " games, realism "
