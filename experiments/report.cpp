@@ -9,6 +9,7 @@
 #include "experiments/report/figures.h"
 #include "experiments/report/formats.h"
 #include "experiments/report/html.h"
+#include "experiments/runner/audit.h"
 
 namespace commands {
 

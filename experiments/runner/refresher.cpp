@@ -1,10 +1,13 @@
 #include "experiments/runner/refresher.h"
 
+#include <algorithm>
+
 namespace runner {
 namespace {
 
 constexpr std::chrono::minutes longest{2};  // of one turn, ours: a report of 10 000 games takes seconds
 constexpr std::size_t log_bytes = 65536;
+constexpr int share = 20;  // at most a twentieth of the time goes into it, however long one turn takes (ours)
 
 }  // namespace
 
@@ -30,6 +33,7 @@ std::optional<std::string> Refresher::ended() {
   if (child_) {
     const process::Exit exit = child_->stop(std::chrono::milliseconds{0});
     child_.reset();
+    pause_ = std::max<Clock::duration>(interval_, share * (Clock::now() - started_));
     if (exit.clean()) {
       std::error_code ignored;
       std::filesystem::remove(log_, ignored);
@@ -51,7 +55,7 @@ std::optional<std::string> Refresher::look(Clock::time_point now) {
   if (problem_) return ended();
   if (child_) {
     if (child_->has_ended() || now - started_ > longest) return ended();
-  } else if (now - started_ > interval_) {
+  } else if (now - started_ > pause_) {
     start();
   }
   return std::nullopt;

@@ -38,6 +38,7 @@ class Refresher {
 
   std::vector<std::string> command_;
   std::chrono::milliseconds interval_;
+  Clock::duration pause_;  ///< from the last start to the next: longer than the interval when it takes long
   std::filesystem::path log_;
   std::optional<process::Child> child_;
   std::optional<std::string> problem_;  ///< that it could not be started
