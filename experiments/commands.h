@@ -67,6 +67,7 @@ struct RunOptions {
   std::filesystem::path design;
   std::filesystem::path out;              ///< empty: results/<name of the design>
   int workers = 0;                        ///< 0: one per processor
+  bool preflight = true;                  ///< a short game before the first one
   std::string worker;                     ///< another worker command, for tests; empty: ourselves
   std::string version;                    ///< of matchday
   std::vector<std::string> command_line;  ///< as we were called
@@ -74,11 +75,40 @@ struct RunOptions {
 /// A design, until all its games are in the ledger; then its table.
 int run(const RunOptions& options);
 
+struct PlanOptions {
+  std::filesystem::path design;
+  std::filesystem::path
+      from;         ///< a result folder with games of these teams; empty: the design's own, or none
+  int workers = 0;  ///< 0: one per processor
+};
+/// The size of a design, the time it takes here, and what it can show.
+int plan(const PlanOptions& options);
+
+struct CompareOptions {
+  std::string base;  ///< revision: team B
+  std::string next;  ///< revision: team A, which is asked to be better
+  std::string repository = ".";
+  std::string build;
+  std::string run;
+  int games = 200;
+  std::uint64_t seed = 1;
+  std::string rules = "ssl-2015";
+  std::string realism = "measured";   ///< a preset
+  std::optional<double> half_length;  ///< [s]
+  bool sequential = false;            ///< stop as soon as a sequential test has an answer
+  double h1 = 0.2;                    ///< of that test, in standard deviations of a game's goal difference
+  RunOptions run_options;             ///< its design is written by compare
+};
+/// Builds two revisions of a team and lets them play each other: writes a design and runs it.
+int compare(const CompareOptions& options);
+
 struct ReportOptions {
   std::filesystem::path folder;
   std::string format = "text";
+  bool html = false;                             ///< write report.html in the folder instead of printing
+  std::optional<std::filesystem::path> figures;  ///< write the figures as SVG in this folder instead
 };
-/// The table of a result folder.
+/// The table of a result folder, its page or its figures.
 int report(const ReportOptions& options);
 
 struct ReplayOptions {
@@ -86,13 +116,15 @@ struct ReplayOptions {
   std::string game;
   std::optional<std::filesystem::path> log;
   std::filesystem::path team_logs;
+  bool recorded = false;  ///< from the teams' recorded replies, without the teams
 };
-/// One game of a ledger again from its seed, and whether it went the same.
+/// One game of a ledger again, from its seed or its recorded replies, and whether it went the same.
 int replay(const ReplayOptions& options);
 
 struct WorkerOptions {
   std::filesystem::path job;
   std::filesystem::path result;
+  std::int64_t team_memory = 2048;  ///< [MiB] a team may hold
 };
 /// One game for a runner.
 int worker(const WorkerOptions& options);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "experiments/record/ledger.h"
+#include "experiments/stopping/wording.h"
 
 namespace commands {
 
@@ -34,7 +35,15 @@ report::Summary summary(const Experiment& experiment) {
   for (const schedule::Condition& condition : design.conditions) {
     header.conditions.push_back({condition.name, condition.a, condition.b, record::text(condition.realism)});
   }
-  return report::summarise(std::move(header), experiment.attempts);
+  return report::summarise(std::move(header), stopping::counted(design, experiment.attempts));
+}
+
+std::string conclusion(const Experiment& experiment) {
+  std::string text;
+  for (const std::string& sentence : stopping::sentences(experiment.design, experiment.attempts)) {
+    text += (text.empty() ? "\n" : "") + sentence + "\n";
+  }
+  return text;
 }
 
 }  // namespace commands

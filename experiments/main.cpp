@@ -14,9 +14,11 @@ namespace {
 using commands::ExitCode;
 
 constexpr const char* footer = R"(
-Exit codes: 0 done; 1 replay: the game went differently; 2 bad input; 4 too many void games, or play: the game
-ended by a fault; 5 trouble with a result folder; 70 a mistake in matchday itself; 130 and 143 interrupted by
-Ctrl-C and TERM (run: the same command continues).)";
+Exit codes: 0 done, of a sequential test: A is better; 1 replay: the game went differently; 2 bad input; 3 run: the
+teams cannot play, says the short game before the first one; 4 too many void games, or play: the game ended by a
+fault; 5 trouble with a result folder; 10 sequential test: A is not better; 11 undecided when all games were
+played; 70 a mistake in matchday itself; 130 and 143 interrupted by Ctrl-C and TERM (run: the same command
+continues).)";
 
 const CLI::Range robot_number(0, 15);
 const CLI::Range half_length(1.0,
@@ -89,13 +91,52 @@ void add_run(CLI::App& main, commands::RunOptions& options) {
   app.add_option("--out", options.out, "result folder; default: results/<name of the design>");
   app.add_option("--workers", options.workers, "games at a time; default: one per processor")
       ->check(CLI::Range(1, 1024));
+  app.add_flag("!--no-preflight", options.preflight, "skip the short game that shows that both teams move");
   app.add_option("--worker", options.worker)->group("");  // for tests
 }
 
+void add_plan(CLI::App& main, commands::PlanOptions& options) {
+  CLI::App& app = *main.add_subcommand("plan", "say how long a design takes here and what it can show");
+  app.add_option("design", options.design, "design file, see experiments/designs/README.md")->required();
+  app.add_option("--from", options.from,
+                 "result folder with games of these teams, for their speed and spread");
+  app.add_option("--workers", options.workers, "games at a time, if not one per processor")
+      ->check(CLI::Range(1, 1024));
+}
+
+void add_compare(CLI::App& main, commands::CompareOptions& options) {
+  CLI::App& app = *main.add_subcommand(
+      "compare", "build two revisions of a team and let them play: is the second better than the first?");
+  app.add_option("base", options.base, "branch, tag or commit to be compared with: team B")->required();
+  app.add_option("next", options.next, "branch, tag or commit that should be better: team A")->required();
+  app.add_option("--team-repo", options.repository, "git repository of the team")->capture_default_str();
+  app.add_option("--build", options.build, "builds a checkout, for the shell, as \"make -j4\"");
+  app.add_option("--run", options.run, "starts the team, seen from the checkout, as \"build/my-team --flag\"")
+      ->required();
+  app.add_option("--games", options.games, "even number; with --sequential at most so many")
+      ->capture_default_str();
+  app.add_flag("--sequential", options.sequential, "stop as soon as a sequential test has its answer");
+  app.add_option("--h1", options.h1,
+                 "of that test: by how many standard deviations of a game A should be better")
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "the only source of chance")->capture_default_str();
+  app.add_option("--rules", options.rules, "rule set")->capture_default_str();
+  app.add_option("--realism", options.realism, "preset: none, friendly, measured, harsh")
+      ->capture_default_str();
+  app.add_option("--half-length", options.half_length, "seconds of a half, if not the rule set's");
+  app.add_option("--out", options.run_options.out, "result folder, if not results/compare-BASE-NEXT-COMMITS");
+  app.add_option("--workers", options.run_options.workers, "games at a time, if not one per processor")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--worker", options.run_options.worker)->group("");
+}
+
 void add_report(CLI::App& main, commands::ReportOptions& options) {
-  CLI::App& app = *main.add_subcommand("report", "print the table of a result folder");
+  CLI::App& app =
+      *main.add_subcommand("report", "print the table of a result folder, or write its page or figures");
   app.add_option("folder", options.folder, "result folder")->required();
-  app.add_option("--format", options.format, "text, markdown, csv or json")->capture_default_str();
+  app.add_option("--format", options.format, "text, markdown, csv, json or latex")->capture_default_str();
+  app.add_flag("--html", options.html, "write report.html in the folder: tables, figures, health, games");
+  app.add_option("--figures", options.figures, "write the figures as SVG into this folder (needs gnuplot)");
 }
 
 void add_replay(CLI::App& main, commands::ReplayOptions& options) {
@@ -105,6 +146,8 @@ void add_replay(CLI::App& main, commands::ReplayOptions& options) {
   app.add_option("game", options.game, "name of the game, as half-speed-0003-1")->required();
   app.add_option("--log", options.log, "write the game as a league log, FILE.log or FILE.log.gz");
   app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
+  app.add_flag("--recorded", options.recorded,
+               "from the teams' recorded replies instead of live teams; kept of faulty and sampled games");
 }
 
 void add_bench(CLI::App& main, bench::BenchOptions& options, commands::RealismOptions& realism) {
@@ -116,7 +159,13 @@ void add_bench(CLI::App& main, bench::BenchOptions& options, commands::RealismOp
       ->check(half_length);
   app.add_option("--cpu", options.cpu, "processor for host and teams; -1: wherever the system likes")
       ->capture_default_str();
-  app.add_flag("--json", options.as_json, "print JSON");
+  app.add_option("--workers", options.workers,
+                 "games at once, for the games per hour: 0 for none, -1 for one per processor")
+      ->check(CLI::Range(-1, 1024))
+      ->capture_default_str();
+  CLI::Option* json = app.add_flag("--json", options.as_json, "print JSON");
+  app.add_option("--compare", options.compare, "FILE of an older `bench --json`: a table of both")
+      ->excludes(json);
 }
 
 void add_show_realism(CLI::App& main, commands::RealismOptions& options) {
@@ -128,6 +177,7 @@ void add_worker(CLI::App& main, commands::WorkerOptions& options) {
   CLI::App& app = *main.add_subcommand("worker", "play one game for a runner")->group("");
   app.add_option("job", options.job)->required();
   app.add_option("result", options.result)->required();
+  app.add_option("--team-memory", options.team_memory, "[MiB]");
 }
 
 /// CLI11 would only say that a command is missing.
@@ -168,6 +218,8 @@ int matchday(int argc, char** argv) {
   commands::PlayOptions play;
   commands::ContinueOptions continuation;
   commands::RunOptions run;
+  commands::PlanOptions plan;
+  commands::CompareOptions compare;
   commands::ReportOptions report;
   commands::ReplayOptions replay;
   commands::WorkerOptions worker;
@@ -177,6 +229,8 @@ int matchday(int argc, char** argv) {
   add_play(app, play);
   add_continue(app, continuation);
   add_run(app, run);
+  add_plan(app, plan);
+  add_compare(app, compare);
   add_report(app, report);
   add_replay(app, replay);
   add_bench(app, bench, bench_realism);
@@ -195,11 +249,17 @@ int matchday(int argc, char** argv) {
 
   if (app.got_subcommand("play")) return commands::play(play);
   if (app.got_subcommand("continue")) return commands::continue_game(continuation);
+  if (app.got_subcommand("plan")) return commands::plan(plan);
   if (app.got_subcommand("report")) return commands::report(report);
   if (app.got_subcommand("replay")) return commands::replay(replay);
   if (app.got_subcommand("worker")) return commands::worker(worker);
   if (app.got_subcommand("bench")) return commands::bench(bench, bench_realism);
   if (app.got_subcommand("realism")) return commands::realism(realism);
+  if (app.got_subcommand("compare")) {
+    compare.run_options.version = MATCHDAY_VERSION;
+    compare.run_options.command_line.assign(argv, argv + argc);
+    return commands::compare(compare);
+  }
   run.version = MATCHDAY_VERSION;
   run.command_line.assign(argv, argv + argc);
   return commands::run(run);

@@ -5,16 +5,15 @@
 #include <chrono>
 #include <ostream>
 
-#include "experiments/host/play.h"
 #include "experiments/runner/signals.h"
 #include "experiments/tell.h"
 
 namespace commands {
 
-OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls, bool explain) {
+OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls, bool explain,
+                      host::Options options) {
   OneGame game;
   runner::Signals signals;
-  host::Options options;
   options.cpu = ::sched_getcpu();
   options.interrupted = [&] {
     if (!game.signal) game.signal = signals.wait(std::chrono::milliseconds{0});

@@ -3,6 +3,7 @@
 #include <iosfwd>
 #include <optional>
 
+#include "experiments/host/play.h"
 #include "experiments/record/match_config.h"
 #include "experiments/record/match_record.h"
 
@@ -15,7 +16,10 @@ struct OneGame {
 };
 
 /// Plays it and tells every call as it happens; null: silent.
-OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls, bool explain = false);
+///
+/// @param settings  how it is run, as far as not decided here
+OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls, bool explain = false,
+                      host::Options settings = {});
 
 /// Checks the configuration, plays it and tells all of it, as text or JSON.
 /// @return  the exit code

@@ -2,10 +2,12 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "experiments/builds/builds.h"
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/experiment.h"
 #include "experiments/one_game.h"
+#include "experiments/runner/audit.h"
 #include "experiments/runner/program_files.h"
 #include "experiments/schedule/schedule.h"
 #include "experiments/tell.h"
@@ -23,10 +25,48 @@ const record::Attempt& recorded(const Experiment& experiment, const record::Game
   return *found;
 }
 
+/// The recorded replies of that attempt.
+std::filesystem::path replies_of(const std::filesystem::path& folder, const record::Attempt& attempt) {
+  const std::string id = record::game_id(attempt.key);
+  const std::filesystem::path place = folder / "games" / id / std::to_string(attempt.attempt);
+  const auto replies = runner::kept_replies(place);
+  if (!replies) {
+    throw std::invalid_argument("--recorded: the replies of game '" + id + "' were not kept in " +
+                                place.string() +
+                                ": only those of faulty and sampled games are; without --recorded it is "
+                                "played again from its seed");
+  }
+  return *replies;
+}
+
+/// What follows from the game having been played again.
+int compare(const record::MatchRecord& again, const record::Attempt& attempt, bool recorded) {
+  const record::MatchRecord& original = attempt.record;
+  if (original.hash.empty()) {
+    std::cout << "the ledger has no hash of this game (" << record::name(original.termination) << ": "
+              << original.reason << ")\n";
+    return done;
+  }
+  // Recorded replies go up to the fault, which is the teams' and not in them.
+  const bool ended_alike = recorded || again.termination == original.termination;
+  if (again.hash == original.hash && ended_alike) {
+    std::cout << (original.termination == record::Termination::Finished || !recorded
+                      ? "the same game as in the ledger\n"
+                      : "the same game as in the ledger, up to its fault: " + original.reason + "\n");
+    return done;
+  }
+  std::cout << "not the game in the ledger (" << record::name(original.termination) << ", hash "
+            << original.hash << "): "
+            << (recorded ? "it was played by another build of matchday, or on another kind of processor\n"
+                         : "a team is not deterministic, or a program was changed since\n");
+  return different;
+}
+
 }  // namespace
 
 int replay(const ReplayOptions& options) {
-  const Experiment experiment = read_experiment(options.folder);
+  Experiment experiment = read_experiment(options.folder);
+  builds::prepare(experiment.design, options.folder / "builds", std::cerr);
   const schedule::Game game = schedule::find_game(experiment.design, options.game);
   const record::Attempt& attempt = recorded(experiment, game.key);
 
@@ -34,24 +74,23 @@ int replay(const ReplayOptions& options) {
   config.log = options.log;
   config.directory = options.team_logs;
   if (!config.directory.empty()) std::filesystem::create_directories(config.directory);
-  runner::team_files(config.teams.yellow, "yellow");
-  runner::team_files(config.teams.blue, "blue");
+  host::Options settings;
+  settings.memory_limit = experiment.design.limits.team_memory << 20;
+  if (options.recorded) {
+    config.continuation = record::Continuation{replies_of(options.folder, attempt), std::nullopt};
+    if (attempt.record.ticks > 0) settings.last_tick = attempt.record.ticks;
+  } else {
+    runner::team_files(config.teams.yellow, "yellow");
+    runner::team_files(config.teams.blue, "blue");
+  }
 
   std::cout << options.game << ", attempt " << attempt.attempt << ", team A is " << world::name(game.a_colour)
             << "\n";
   tell_circumstances(config, std::cout);
-  const OneGame again = play_one_game(config, &std::cout);
+  const OneGame again = play_one_game(config, &std::cout, false, settings);
   tell_result(config, again.record, std::cout);
   if (again.signal) return signal_base + *again.signal;
-
-  if (again.record.hash == attempt.record.hash && again.record.termination == attempt.record.termination) {
-    std::cout << "the same game as in the ledger\n";
-    return done;
-  }
-  std::cout << "not the game in the ledger (" << record::name(attempt.record.termination) << ", hash "
-            << (attempt.record.hash.empty() ? "none" : attempt.record.hash)
-            << "): a team is not deterministic, or a program was changed since\n";
-  return different;
+  return compare(again.record, attempt, options.recorded);
 }
 
 }  // namespace commands

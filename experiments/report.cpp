@@ -1,14 +1,46 @@
+#include <fstream>
 #include <iostream>
+#include <stdexcept>
 
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/experiment.h"
+#include "experiments/record/ledger.h"
+#include "experiments/report/figures.h"
 #include "experiments/report/formats.h"
+#include "experiments/report/html.h"
 
 namespace commands {
 
+namespace {
+
+void write_figures(const report::Summary& summary, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  const std::vector<report::Figure> figures = report::figures(summary);
+  if (figures.empty())
+    throw std::invalid_argument("there is no figure yet: no condition has a complete pair");
+  for (const report::Figure& figure : figures) {
+    const std::filesystem::path file = folder / (figure.name + ".svg");
+    std::ofstream stream(file, std::ios::trunc);
+    stream << report::drawn(figure);
+    stream.close();
+    if (!stream) throw record::StorageError(file.string() + ": cannot be written; is the disk full?");
+    std::cout << file.string() << "  " << figure.caption << "\n";
+  }
+}
+
+}  // namespace
+
 int report(const ReportOptions& options) {
-  std::cout << report::formatted(summary(read_experiment(options.folder)), options.format);
+  const Experiment experiment = read_experiment(options.folder);
+  const report::Summary found = summary(experiment);
+  if (options.html) {
+    std::cout << report::write_html(options.folder, found, experiment.attempts).string() << "\n";
+  }
+  if (options.figures) write_figures(found, *options.figures);
+  if (options.html || options.figures) return done;
+  std::cout << report::formatted(found, options.format);
+  if (options.format == "text" || options.format == "markdown") std::cout << conclusion(experiment);
   return done;
 }
 

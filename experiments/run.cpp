@@ -4,13 +4,16 @@
 
 #include <iostream>
 
+#include "experiments/builds/builds.h"
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/experiment.h"
-#include "experiments/host/play.h"
+#include "experiments/record/ledger.h"
 #include "experiments/report/formats.h"
 #include "experiments/schedule/command_line.h"
 #include "experiments/schedule/schedule.h"
+#include "experiments/start.h"
+#include "experiments/stopping/wording.h"
 #include "sim/wire/match.h"
 
 namespace commands {
@@ -33,19 +36,31 @@ std::string shell_line(const std::vector<std::string>& words) {
   return line;
 }
 
+/// What a stopping rule says at the end, as the exit code.
+ExitCode verdict(const Experiment& experiment) {
+  if (experiment.design.stopping.rule == schedule::StopRule::Fixed) return done;
+  ExitCode code = done;
+  for (const stopping::Standing& one : stopping::standings(experiment.design, experiment.attempts)) {
+    if (one.decision == stopping::Decision::Undecided) return undecided;
+    if (one.decision == stopping::Decision::AcceptH0) code = h0_accepted;
+  }
+  return code;
+}
+
 std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
 }  // namespace
 
 int run(const RunOptions& options) {
-  const schedule::Design design = schedule::read_design(options.design, host::check_realism);
-  for (std::size_t i = 0; i < design.conditions.size(); ++i)
-    host::check(schedule::game(design, 2 * i).config);
+  schedule::Design design = checked_design(options.design);
 
   runner::RunOptions settings;
-  settings.out = options.out.empty() ? std::filesystem::path("results") / design.name : options.out;
+  settings.out = options.out.empty() ? usual_folder(design) : options.out;
   settings.workers = options.workers;
-  settings.worker_command = {own_program(), "worker"};
+  settings.limits = design.limits;
+  settings.preflight = options.preflight;
+  settings.worker_command = {own_program(), "worker", "--team-memory",
+                             std::to_string(design.limits.team_memory)};
   if (!options.worker.empty()) settings.worker_command = schedule::split_command(options.worker);
   settings.version = options.version;
   settings.protocol = "match protocol " + std::to_string(wire::match_protocol_version);
@@ -55,14 +70,28 @@ int run(const RunOptions& options) {
   std::cerr << design.name << ": " << schedule::game_count(design) << " games, realism "
             << record::text(design.realism) << ", rule set " << design.rules << ", results in "
             << settings.out.string() << std::endl;
-  const runner::RunResult result = runner::run(design, settings, std::cerr);
+  if (design.stopping.rule != schedule::StopRule::Fixed) {
+    std::cerr << "stopping: " << stopping::rule(design) << std::endl;
+  }
+  builds::prepare(design, settings.out / "builds", std::cerr);
+  const std::string again = "continue with: " + shell_line(options.command_line);
+  runner::RunResult result;
+  try {
+    result = runner::run(design, settings, std::cerr);
+  } catch (const record::StorageError&) {
+    std::cerr << "when it is mended, " << again << std::endl;
+    throw;
+  }
   if (result.ending == runner::Ending::Interrupted) {
-    std::cerr << "interrupted, nothing is lost; continue with: " << shell_line(options.command_line)
-              << std::endl;
+    std::cerr << "interrupted, nothing is lost; " << again << std::endl;
     return signal_base + result.signal;
   }
-  std::cout << report::as_text(summary(read_experiment(result.out)));
-  return result.ending == runner::Ending::Done ? done : faults;
+  if (result.ending == runner::Ending::PreflightFailed) return preflight_failed;
+  const Experiment experiment = read_experiment(result.out);
+  std::cout << report::as_text(summary(experiment)) << conclusion(experiment);
+  if (result.ending == runner::Ending::Done) return verdict(experiment);
+  std::cerr << "when it is mended, " << again << std::endl;
+  return faults;
 }
 
 }  // namespace commands

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <chrono>
+#include <cmath>
 #include <ostream>
 
 namespace commands {
@@ -22,6 +23,24 @@ std::string command_text(const std::string& command) {
   if (command.empty()) return "-";
   if (blank == std::string::npos) return command;
   return command.substr(0, blank) + "(" + command.substr(blank + 1) + ")";
+}
+
+/// A line per statistic, both teams beside each other.
+void tell_statistics(const record::MatchStatistics& game, std::ostream& out) {
+  const auto number = [](double value, int decimals) {
+    if (std::isnan(value)) return std::string("-");
+    return fmt::format("{:.{}f}", value, value == std::floor(value) ? 0 : decimals);
+  };
+  out << fmt::format("  {:<28} {:>9} {:>9}\n", "", "yellow", "blue");
+  for (const record::Statistic& statistic : record::team_statistics()) {
+    out << fmt::format("  {:<28} {:>9} {:>9}\n", statistic.label,
+                       number(statistic.value(game, world::Team::Yellow), statistic.decimals),
+                       number(statistic.value(game, world::Team::Blue), statistic.decimals));
+  }
+  for (const record::Statistic& statistic : record::game_statistics()) {
+    out << fmt::format("  {:<28} {:>9}\n", statistic.label,
+                       number(statistic.value(game, world::Team::Yellow), statistic.decimals));
+  }
 }
 
 }  // namespace
@@ -71,6 +90,7 @@ void tell_result(const record::MatchConfig& config, const record::MatchRecord& r
   for (const auto& [event, count] : record.calls) out << fmt::format("  {:<28} {:>6}\n", event, count);
   for (const auto& [counter, value] : record.counters)
     out << fmt::format("  {:<28} {:>6.6g}\n", counter, value);
+  if (record.statistics) tell_statistics(*record.statistics, out);
   out << "hash " << record.hash << "\n" << std::flush;
 }
 

@@ -1,4 +1,4 @@
-#include <iostream>
+#include <sched.h>
 
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
@@ -10,11 +10,15 @@ namespace commands {
 
 int worker(const WorkerOptions& options) {
   runner::Signals signals;
-  host::Options settings;  // the runner has bound us to a processor already
+  host::Options settings;
+  settings.cpu =
+      ::sched_getcpu();  // the one the runner has bound us to; there the game's processes take turns
   settings.interrupted = [&signals] { return signals.wait(std::chrono::milliseconds{0}).has_value(); };
-  // Printing is the sign of life that the runner watches.
-  settings.on_second = [](world::Time time, const world::PerTeam<int>& score) {
-    std::cout << world::seconds(time) << " s, " << score.yellow << ":" << score.blue << std::endl;
+  settings.memory_limit = options.team_memory << 20;
+  settings.must_be_plausible = true;
+  runner::ProgressWriter progress(runner::progress_file(options.result));
+  settings.on_second = [&progress](world::Time time, const world::PerTeam<int>&) {
+    progress.write(world::seconds(time));  // the sign of life that the runner watches
   };
   runner::serve_job(options.job, options.result,
                     [&](const record::MatchConfig& config) { return host::play(config, settings); });

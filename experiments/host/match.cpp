@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/process/family.h"
 #include "sim/engine/realism.h"
 #include "sim/world/rules/rule_set.h"
 
@@ -17,6 +18,9 @@ using record::Termination;
 constexpr world::Duration longest_game = std::chrono::minutes{40};
 // Extra time adds half as much; a shoot-out of twenty kicks takes ten minutes.
 constexpr world::Duration longest_game_with_winner = std::chrono::minutes{80};
+
+// A look at the teams' memory takes 0.1 ms; a program can take a few hundred MB between two (ours).
+constexpr std::chrono::milliseconds limits_interval{100};
 
 /// The robot the team names, else its lowest number.
 int keeper_of(const wire::proto::TeamHello& hello, const record::TeamConfig& team) {
@@ -78,7 +82,11 @@ engine::Model model_of(const record::MatchConfig& config) {
 }
 
 Match::Match(const record::MatchConfig& config, const Options& options)
-    : config_(config), options_(options), engine_(model_of(config)), idle_([this] { look_around(); }) {
+    : config_(config),
+      options_(options),
+      engine_(model_of(config)),
+      idle_([this] { look_around(); }),
+      statistics_(engine_.model().geometry) {
   for (const world::Team team : world::both_teams) {
     teams_[team] = std::make_unique<TeamProcess>(
         team, config_.teams[team], directory_.path() / (std::string(world::name(team)) + ".socket"));
@@ -101,12 +109,20 @@ record::MatchRecord Match::run() {
     }
     record.termination = Termination::Finished;
     record.at_fault = record::Party::Nobody;
+    if (options_.must_be_plausible && !vitals_.complaint().empty()) {
+      record.termination = Termination::Implausible;
+      record.at_fault = record::Party::Harness;
+      record.reason = "this was no game: " + vitals_.complaint();
+    }
   } catch (const Interrupted&) {
     record.termination = Termination::Interrupted;
     record.reason = "the game was interrupted";
   } catch (const RecordingEnded&) {
     record.termination = Termination::Interrupted;
     record.reason = recorded_->cut() ? "the recording is cut off here" : "the recording ends here";
+  } catch (const LastTick&) {
+    record.termination = Termination::Interrupted;
+    record.reason = "the game was broken off after tick " + std::to_string(*options_.last_tick);
   } catch (const RecordingDiffers& differs) {
     record.termination = Termination::HarnessFault;
     record.at_fault = record::Party::Harness;
@@ -201,6 +217,7 @@ void Match::play_ticks() {
   const auto begin = Deadline::Clock::now();
   while (tick()) {
     if (engine_.tick() % world::ticks_per_second == 0) {
+      vitals_.add(engine_.truth(), commands_, referee_->message(), referee_->state());
       look_around();
       if (options_.on_second) options_.on_second(engine_.time(), referee_->state().score);
       const world::Duration longest = config_.winner ? longest_game_with_winner : longest_game;
@@ -212,6 +229,7 @@ void Match::play_ticks() {
   if (options_.stopwatch != nullptr) {
     options_.stopwatch->loop_seconds = std::chrono::duration<double>(Deadline::Clock::now() - begin).count();
     options_.stopwatch->bytes_in = teams_.yellow->bytes_in() + teams_.blue->bytes_in();
+    options_.stopwatch->channel_calls = teams_.yellow->channel_calls() + teams_.blue->channel_calls();
   }
 }
 
@@ -228,6 +246,7 @@ bool Match::tick() {
 
   hash_.add(engine_.truth(), commands_, referee_->message(), output.ball_reset);
   report(tally_.add(output, *referee_));
+  statistics_.update(engine_.truth(), referee_->state());
   if (options_.on_tick) options_.on_tick(engine_, *referee_);
   act_on_wishes(output);
   lap(Part::Bookkeeping);
@@ -239,6 +258,7 @@ bool Match::tick() {
     lap(Part::Log);
   }
   if (output.finished) return false;
+  if (options_.last_tick && engine_.tick() >= *options_.last_tick) throw LastTick{};
 
   if (live()) {
     if (recorded_) {
@@ -294,8 +314,11 @@ void Match::exchange() {
   // the other.
   const Deadline deadline(options_.reply_deadline);
   for (const world::Team team : world::both_teams) teams_[team]->send(frames[team], deadline, idle_);
+  // First the one that was written to last: by then the other has answered, which wakes nobody.
   world::PerTeam<bool> came;
-  for (const world::Team team : world::both_teams) came[team] = teams_[team]->receive(deadline, idle_);
+  for (const world::Team team : {world::Team::Blue, world::Team::Yellow}) {
+    came[team] = teams_[team]->receive(deadline, idle_);
+  }
   lap(Part::Channel);
 
   for (const world::Team team : world::both_teams) {
@@ -359,6 +382,16 @@ void Match::act_on_wishes(const referee::Output& output) {
 void Match::look_around() {
   for (const world::Team team : world::both_teams) teams_[team]->drain();
   if (options_.interrupted && options_.interrupted()) throw Interrupted{};
+  check_limits();
+}
+
+void Match::check_limits() {
+  const Deadline::Clock::time_point now = Deadline::Clock::now();
+  if (now - limits_checked_ < limits_interval) return;
+  limits_checked_ = now;
+  for (const world::Team team : world::both_teams) {
+    teams_[team]->check_limits(options_.memory_limit, options_.output_limit);
+  }
 }
 
 void Match::report(std::span<const record::CallEntry> entries) {
@@ -385,6 +418,8 @@ void Match::end(record::MatchRecord& record) {
   }
   if (referee_) {
     tally_.finish(*referee_, record);
+    statistics_.finish();
+    record.statistics = statistics_.result();
     for (const world::Team team : world::both_teams) {
       record.counters[std::string("bad_commands_") + world::name(team)] = bad_commands_[team];
     }
@@ -397,6 +432,8 @@ void Match::end(record::MatchRecord& record) {
   }
   const std::string farewell = record.reason.empty() ? "the game is over" : record.reason;
   for (const world::Team team : world::both_teams) teams_[team]->end(farewell, options_.stop_grace);
+  // Also whoever has left its team's process group; each knows our directory from its environment.
+  process::end_started_with(TeamProcess::socket_variable + ("=" + directory_.path().string() + "/"));
 }
 
 }  // namespace host

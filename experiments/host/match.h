@@ -12,6 +12,8 @@
 #include "experiments/host/robot_count.h"
 #include "experiments/host/tally.h"
 #include "experiments/host/team_process.h"
+#include "experiments/host/vitals.h"
+#include "experiments/statistics/observer.h"
 
 namespace host {
 
@@ -42,6 +44,7 @@ class Match {
   struct Interrupted {};
   struct Overlong {};
   struct RecordingEnded {};
+  struct LastTick {};
   struct RecordingDiffers {
     std::string sentence;
   };
@@ -61,6 +64,7 @@ class Match {
   void grant(world::Team team, const wire::proto::Request& request);
   void act_on_wishes(const referee::Output& output);
   void look_around();  // now and then, and while waiting
+  void check_limits();
   void report(std::span<const record::CallEntry> entries);
   void lap(Part part);
   bool anyone_at_fault() const { return teams_.yellow->fault() || teams_.blue->fault(); }
@@ -83,6 +87,9 @@ class Match {
   TickMessages messages_;
   GameHash hash_;
   Tally tally_;
+  Vitals vitals_;
+  Deadline::Clock::time_point limits_checked_{};
+  statistics::Observer statistics_;
   world::PerTeam<world::TeamCommands> commands_;
   world::PerTeam<int> bad_commands_{};
   engine::Timing timing_;  // only while measuring

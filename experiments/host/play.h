@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "autoref/referee/referee.h"
 #include "experiments/host/stopwatch.h"
@@ -21,7 +23,17 @@ struct Options {
   std::chrono::milliseconds reply_deadline{5'000};     ///< wall, for each reply
   std::chrono::milliseconds stop_grace{1'000};         ///< between goodbye or TERM and KILL
 
+  // What a team may use, all its processes together; more ends the game as OverLimit. 0: any amount. Ours:
+  // many times what any team of the league needs, and few enough for a machine with several games.
+  std::int64_t memory_limit = std::int64_t{2} << 30;  ///< [bytes] resident, looked at every 0.1 s
+  std::int64_t output_limit = std::int64_t{1} << 30;  ///< [bytes] printed; only the first 4 MiB are kept
+
   bool explain = false;  ///< calls come with their evidence
+
+  /// A game that was none (vitals.h) ends as Implausible: for experiments, where it must not count.
+  bool must_be_plausible = false;
+  /// The game is broken off after this tick, as Interrupted.
+  std::optional<std::int64_t> last_tick;
 
   /// Asked once a simulated second and while waiting for a team; true ends the game as Interrupted.
   std::function<bool()> interrupted;

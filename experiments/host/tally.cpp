@@ -60,7 +60,10 @@ void Tally::add(const referee::Call& call) {
 
   if (call.stops_play) ++counted_.calls[entry.event.empty() ? "Time" : entry.event];
   const bool noted = call.row == "note";
-  if (call.offender && !noted) ++counted_.fouls[call.offender->team];
+  if (call.offender && !noted) {
+    ++counted_.fouls[call.offender->team];
+    ++counted_.fouls_by_kind[call.offender->team][entry.event.empty() ? "Time" : entry.event];
+  }
   if (noted) ++counted_.counters["noted_" + entry.event];
   counted_.timeline.push_back(std::move(entry));
 }
@@ -81,6 +84,7 @@ void Tally::finish(const referee::Referee& referee, record::MatchRecord& record)
   record.goals = referee.state().score;
   record.calls = std::move(counted_.calls);
   record.fouls = counted_.fouls;
+  record.fouls_by_kind = std::move(counted_.fouls_by_kind);
   record.stoppages = counted_.stoppages;
   record.timeline = std::move(counted_.timeline);
   record.counters.merge(counted_.counters);

@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+#include "experiments/process/family.h"
+
 namespace host {
 namespace {
 
@@ -34,7 +36,9 @@ void TeamProcess::blame(Termination termination, const std::string& what) {
 void TeamProcess::start(const std::filesystem::path& directory) {
   process::Command command;
   command.arguments = config_.command;
-  command.environment = {{"MATCHDAY_SOCKET", listener_.path().string()}};
+  command.directory = config_.directory;
+  command.environment = {{socket_variable, listener_.path().string()}};
+  command.expendable = true;
   if (!directory.empty()) command.output = directory / (std::string(world::name(team_)) + ".log");
   try {
     child_.emplace(command);
@@ -111,9 +115,7 @@ bool TeamProcess::receive(const Deadline& deadline, const Idle& while_waiting) {
 }
 
 const wire::proto::TeamMessage* TeamProcess::message() {
-  arena_.Reset();
-  auto* message = google::protobuf::Arena::CreateMessage<wire::proto::TeamMessage>(&arena_);
-  if (message->ParseFromArray(payload_.data(), static_cast<int>(payload_.size()))) return message;
+  if (const wire::proto::TeamMessage* message = parser_.parse(payload_)) return message;
   blame(Termination::Nonsense,
         "sent " + std::to_string(payload_.size()) + " bytes that are not a TeamMessage");
   return nullptr;
@@ -121,6 +123,21 @@ const wire::proto::TeamMessage* TeamProcess::message() {
 
 void TeamProcess::drain() {
   if (child_) child_->drain();
+}
+
+void TeamProcess::check_limits(std::int64_t memory, std::int64_t output) {
+  if (!child_ || fault_) return;
+  const auto mebibytes = [](std::int64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; };
+  const auto printed = static_cast<std::int64_t>(child_->output().written() + child_->output().discarded());
+  if (output > 0 && printed > output) {
+    blame(Termination::OverLimit, "printed more than " + mebibytes(output));
+  }
+  if (memory == 0) return;
+  const std::int64_t held = process::family_memory(child_->pid());
+  if (held > memory) {
+    blame(Termination::OverLimit,
+          "held " + mebibytes(held) + " of memory, " + mebibytes(memory) + " are allowed");
+  }
 }
 
 void TeamProcess::end(const std::string& reason, std::chrono::milliseconds grace) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <google/protobuf/arena.h>
-
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -9,14 +7,13 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "experiments/host/channel.h"
 #include "experiments/host/listener.h"
+#include "experiments/host/messages.h"
 #include "experiments/process/child.h"
 #include "experiments/record/match_config.h"
 #include "experiments/record/match_record.h"
-#include "sim/wire/match.h"
 
 namespace host {
 
@@ -43,6 +40,7 @@ struct Deadline {
 class TeamProcess {
  public:
   using Idle = std::function<void()>;
+  static constexpr const char* socket_variable = "MATCHDAY_SOCKET";  ///< where its socket is, for the team
 
   /// @param socket  path for the team's socket; the listening starts here
   TeamProcess(world::Team team, const record::TeamConfig& config, const std::filesystem::path& socket);
@@ -67,12 +65,16 @@ class TeamProcess {
   /// Empties the pipe of its standard output.
   void drain();
 
+  /// OverLimit when its processes hold more memory, or have printed more, than that [bytes]; 0: any amount.
+  void check_limits(std::int64_t memory, std::int64_t output);
+
   /// Says goodbye, gives it `grace` to leave, and ends what is left of it.
   void end(const std::string& reason, std::chrono::milliseconds grace);
 
   /// What it has used so far, or had when it ended.
   const process::Usage& usage() const { return usage_; }
   std::int64_t bytes_in() const { return channel_ ? channel_->bytes_in() : 0; }
+  std::int64_t channel_calls() const { return channel_ ? channel_->calls() : 0; }
   pid_t pid() const { return child_ ? child_->pid() : -1; }
 
  private:
@@ -84,9 +86,7 @@ class TeamProcess {
   std::optional<process::Child> child_;
   std::optional<Channel> channel_;
   std::span<const std::byte> payload_;  // of the last frame, in the channel's memory
-  // Messages are made in memory that is used again: parsing allocates nothing after the first tick.
-  std::vector<char> message_memory_ = std::vector<char>(16384);
-  google::protobuf::Arena arena_{message_memory_.data(), message_memory_.size()};
+  MessageParser parser_;
   std::optional<Fault> fault_;
   process::Usage usage_;
 };

@@ -104,6 +104,7 @@ struct Prepared {
   char* const* environment = nullptr;
   const char* directory = nullptr;  // null: stay
   const cpu_set_t* cpus = nullptr;  // null: as inherited
+  bool expendable = false;
   pid_t parent = -1;
   int input = -1;
   int output = -1;
@@ -129,6 +130,13 @@ struct Prepared {
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
 
+  if (prepared.expendable) {  // everybody may raise their own score; where it cannot be done, it is not
+    const int score = ::open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
+    if (score >= 0) {
+      [[maybe_unused]] const ssize_t ignored = ::write(score, "1000", 4);
+      ::close(score);
+    }
+  }
   if (prepared.directory != nullptr && ::chdir(prepared.directory) != 0) give_up(prepared, Step::Directory);
   if (prepared.cpus != nullptr && ::sched_setaffinity(0, sizeof(cpu_set_t), prepared.cpus) != 0) {
     give_up(prepared, Step::Cpu);
@@ -190,7 +198,7 @@ std::optional<Usage> usage(pid_t process) {
 
 Child::Child(const Command& command) : log_(command.output, command.output_limit) {
   if (command.arguments.empty()) throw StartError("the command of a program is empty");
-  const std::string program = find_program(command.arguments.front()).string();
+  const std::string program = find_program(command.arguments.front(), command.directory).string();
   std::vector<std::string> arguments = command.arguments;
   std::vector<std::string> environment = whole_environment(command);
   const std::vector<char*> argument_pointers = pointers(arguments);
@@ -211,6 +219,7 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
   prepared.environment = environment_pointers.data();
   prepared.directory = directory.empty() ? nullptr : directory.c_str();
   prepared.cpus = command.cpu >= 0 ? &cpus : nullptr;
+  prepared.expendable = command.expendable;
   prepared.parent = ::getpid();
   prepared.input = null_input;
   prepared.output = output.write_end;

@@ -24,6 +24,7 @@ struct Command {
   std::filesystem::path output;                     ///< file for standard output and error; empty: none
   std::size_t output_limit = std::size_t{4} << 20;  ///< [bytes] of that file
   int cpu = -1;                                     ///< the only one to run on; -1: as we do
+  bool expendable = false;                          ///< the first to go when the machine is out of memory
 };
 
 /// How a process ended, and what it used.

@@ -25,14 +25,15 @@ fs::path own_folder() {
 
 }  // namespace
 
-fs::path find_program(const std::string& name) {
+fs::path find_program(const std::string& name, const fs::path& directory) {
   if (name.empty()) throw StartError("the command of a program is empty");
 
   if (name.find('/') != std::string::npos) {
     std::error_code error;
-    const fs::path path = fs::absolute(name, error);
-    if (!fs::exists(path, error)) throw StartError("program '" + name + "' does not exist");
-    if (!is_program(path)) throw StartError("program '" + name + "' is not an executable file");
+    const fs::path path = fs::absolute(directory / name, error);
+    const std::string where = directory.empty() ? "" : " in " + directory.string();
+    if (!fs::exists(path, error)) throw StartError("program '" + name + "' does not exist" + where);
+    if (!is_program(path)) throw StartError("program '" + name + "' is not an executable file" + where);
     return path;
   }
 

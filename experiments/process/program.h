@@ -14,10 +14,10 @@ class StartError : public std::runtime_error {
 
 /// The absolute path of a program as a user names it.
 ///
-/// A name with a slash is a path, seen from the present directory. A bare name is looked up beside the
-/// running program (so that `matchday` finds the teams built with it), then in PATH.
+/// A name with a slash is a path, seen from `directory` (empty: the present one). A bare name is looked up
+/// beside the running program (so that `matchday` finds the teams built with it), then in PATH.
 ///
 /// @throws StartError when there is no such file or it is not executable
-std::filesystem::path find_program(const std::string& name);
+std::filesystem::path find_program(const std::string& name, const std::filesystem::path& directory = {});
 
 }  // namespace process

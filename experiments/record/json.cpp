@@ -62,10 +62,12 @@ class Fields {
 };
 
 Json team_json(const TeamConfig& team) {
-  return Json{{"name", team.name},
-              {"command", team.command},
-              {"robots", team.robots},
-              {"speed_factor", team.speed_factor}};
+  Json json{{"name", team.name},
+            {"command", team.command},
+            {"robots", team.robots},
+            {"speed_factor", team.speed_factor}};
+  if (!team.directory.empty()) json["directory"] = team.directory.string();
+  return json;
 }
 
 TeamConfig team_from(const Json& json, const std::string& what) {
@@ -75,6 +77,7 @@ TeamConfig team_from(const Json& json, const std::string& what) {
   fields.read("command", team.command);
   fields.read("robots", team.robots);
   fields.read("speed_factor", team.speed_factor);
+  if (fields.has("directory")) team.directory = fields.text("directory");
   return team;
 }
 
@@ -119,6 +122,61 @@ CallEntry call_from(const Json& json) {
   fields.read("restart", call.restart);
   fields.read("sentence", call.sentence);
   return call;
+}
+
+Json team_statistics_json(const TeamStatistics& team) {
+  return Json{{"kicks", team.kicks},
+              {"shots", team.shots},
+              {"shots_on_target", team.shots_on_target},
+              {"saves", team.saves},
+              {"passes", team.passes},
+              {"passes_completed", team.passes_completed},
+              {"touches", team.touches},
+              {"turnovers", team.turnovers},
+              {"balls_out", team.balls_out},
+              {"possession", team.possession},
+              {"territory", team.territory},
+              {"distance", team.distance}};
+}
+
+TeamStatistics team_statistics_from(const Json& json, const std::string& what) {
+  const Fields fields(json, what);
+  TeamStatistics team;
+  fields.read("kicks", team.kicks);
+  fields.read("shots", team.shots);
+  fields.read("shots_on_target", team.shots_on_target);
+  fields.read("saves", team.saves);
+  fields.read("passes", team.passes);
+  fields.read("passes_completed", team.passes_completed);
+  fields.read("touches", team.touches);
+  fields.read("turnovers", team.turnovers);
+  fields.read("balls_out", team.balls_out);
+  fields.read("possession", team.possession);
+  fields.read("territory", team.territory);
+  fields.read("distance", team.distance);
+  return team;
+}
+
+Json statistics_json(const MatchStatistics& game) {
+  return Json{{"time", game.time},
+              {"in_play", game.in_play},
+              {"passages", game.passages},
+              {"longest_passage", game.longest_passage},
+              {"yellow", team_statistics_json(game.teams.yellow)},
+              {"blue", team_statistics_json(game.teams.blue)}};
+}
+
+MatchStatistics statistics_from(const Json& json, const std::string& what) {
+  const Fields fields(json, what);
+  MatchStatistics game;
+  fields.read("time", game.time);
+  fields.read("in_play", game.in_play);
+  fields.read("passages", game.passages);
+  fields.read("longest_passage", game.longest_passage);
+  for (const world::Team team : world::both_teams) {
+    game.teams[team] = team_statistics_from(fields.at(world::name(team)), fields.name_of(world::name(team)));
+  }
+  return game;
 }
 
 }  // namespace
@@ -201,6 +259,8 @@ MatchConfig match_config_from_json(const std::string& text) {
 std::string to_json(const MatchRecord& record) {
   Json timeline = Json::array();
   for (const CallEntry& call : record.timeline) timeline.push_back(call_json(call));
+  Json statistics = nullptr;
+  if (record.statistics) statistics = statistics_json(*record.statistics);
   return dumped(Json{{"goals", per_team_json(record.goals)},
                      {"termination", name(record.termination)},
                      {"at_fault", name(record.at_fault)},
@@ -209,8 +269,10 @@ std::string to_json(const MatchRecord& record) {
                      {"hash", record.hash},
                      {"calls", record.calls},
                      {"fouls", per_team_json(record.fouls)},
+                     {"fouls_by_kind", per_team_json(record.fouls_by_kind)},
                      {"stoppages", record.stoppages},
                      {"counters", record.counters},
+                     {"statistics", statistics},
                      {"versions", per_team_json(record.versions)},
                      {"timeline", timeline},
                      {"wall_seconds", record.wall_seconds},
@@ -229,6 +291,11 @@ MatchRecord match_record_from_json(const std::string& text) {
   fields.read("hash", record.hash);
   fields.read("calls", record.calls);
   read_per_team(fields, "fouls", record.fouls);
+  // Ledgers of schema 1 have neither of these two.
+  if (fields.has("fouls_by_kind")) read_per_team(fields, "fouls_by_kind", record.fouls_by_kind);
+  if (fields.has("statistics")) {
+    record.statistics = statistics_from(fields.at("statistics"), fields.name_of("statistics"));
+  }
   fields.read("stoppages", record.stoppages);
   fields.read("counters", record.counters);
   read_per_team(fields, "versions", record.versions);

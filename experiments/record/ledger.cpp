@@ -42,6 +42,43 @@ CREATE TABLE attempts (
 );
 )";
 
+// Of later origin than the others: a ledger without it is one without audits.
+constexpr const char* audit_table = R"(
+CREATE TABLE IF NOT EXISTS audits (
+  condition TEXT NOT NULL,
+  pair INTEGER NOT NULL,
+  leg INTEGER NOT NULL,
+  attempt INTEGER NOT NULL,
+  verdict TEXT NOT NULL,           -- same, team-differs, simulator-differs, teams-or-us-differ, failed
+  hash TEXT NOT NULL,              -- of the game played again
+  reason TEXT NOT NULL,
+  PRIMARY KEY (condition, pair, leg, attempt)
+);
+)";
+/// Attempts with their statistics as columns: everything of `attempts` but the record, then ball_in_play [s],
+/// passages, longest_passage [s], and for each team what TeamStatistics has, as shots_yellow.
+std::string view_of_games() {
+  std::string text =
+      "CREATE VIEW games AS SELECT game, condition, pair, leg, attempt, seed, a_colour, "
+      "blue_on_positive_half, "
+      "first_kickoff, outcome, termination, at_fault, reason, goals_yellow, goals_blue, ticks, hash, "
+      "fouls_yellow, fouls_blue, stoppages, wall_seconds, worker, started";
+  const auto add = [&text](const std::string& path, const std::string& name) {
+    text += ", json_extract(record, '$.statistics." + path + "') AS " + name;
+  };
+  add("in_play", "ball_in_play");
+  add("passages", "passages");
+  add("longest_passage", "longest_passage");
+  for (const char* key : {"kicks", "shots", "shots_on_target", "saves", "passes", "passes_completed",
+                          "touches", "turnovers", "balls_out", "possession", "territory", "distance"}) {
+    for (const world::Team team : world::both_teams) {
+      const std::string colour = world::name(team);
+      add(colour + "." + key, std::string(key) + "_" + colour);
+    }
+  }
+  return text + " FROM attempts";
+}
+
 world::Team colour(const std::string& word) {
   return word == world::name(world::Team::Blue) ? world::Team::Blue : world::Team::Yellow;
 }
@@ -111,6 +148,7 @@ Ledger Ledger::open(const std::filesystem::path& path, const Experiment& experim
     if (fresh) {
       SQLite::Transaction transaction(database);
       database.exec(tables);
+      database.exec(view_of_games());
       SQLite::Statement insert(database, "INSERT INTO experiment VALUES ('hash', ?), ('design', ?)");
       insert.bind(1, experiment.hash);
       insert.bind(2, experiment.design);
@@ -121,12 +159,19 @@ Ledger Ledger::open(const std::filesystem::path& path, const Experiment& experim
     }
     check_kind(kind_of(database), file);
     check_health(database, file);
+    if (!database.tableExists("audits")) database.exec(audit_table);
     Ledger ledger(std::move(connection));
     const std::string found = ledger.experiment().hash;
     if (found != experiment.hash) {
       throw StorageError(file + ": holds experiment " + found +
                          " but the design, its programs and their files make " + experiment.hash +
                          "; give another --out, or restore what was changed");
+    }
+    if (kind_of(database).version < schema) {
+      SQLite::Transaction transaction(database);
+      database.exec(view_of_games());
+      database.exec("PRAGMA user_version = " + std::to_string(schema));
+      transaction.commit();
     }
     return ledger;
   });
@@ -212,6 +257,45 @@ std::vector<Attempt> Ledger::attempts() const {
       attempts.push_back(std::move(attempt));
     }
     return attempts;
+  });
+}
+
+void Ledger::add(const Audit& audit) {
+  guarded(connection_->file, [&] {
+    SQLite::Statement insert(connection_->database, "INSERT OR REPLACE INTO audits VALUES (?,?,?,?,?,?,?)");
+    insert.bind(1, audit.key.condition);
+    insert.bind(2, audit.key.pair);
+    insert.bind(3, audit.key.leg);
+    insert.bind(4, audit.attempt);
+    insert.bind(5, name(audit.verdict));
+    insert.bind(6, audit.hash);
+    insert.bind(7, audit.reason);
+    insert.exec();
+  });
+}
+
+std::vector<Audit> Ledger::audits() const {
+  return guarded(connection_->file, [&] {
+    std::vector<Audit> audits;
+    if (!connection_->database.tableExists("audits")) return audits;
+    SQLite::Statement rows(connection_->database,
+                           "SELECT condition, pair, leg, attempt, verdict, hash, reason FROM audits "
+                           "ORDER BY condition, pair, leg, attempt");
+    while (rows.executeStep()) {
+      Audit audit;
+      audit.key = {rows.getColumn(0).getString(), rows.getColumn(1).getInt(), rows.getColumn(2).getInt()};
+      audit.attempt = rows.getColumn(3).getInt();
+      try {
+        audit.verdict = verdict_from_name(rows.getColumn(4).getString());
+      } catch (const std::invalid_argument& error) {
+        throw StorageError(connection_->file + ": the audit of game " + game_id(audit.key) +
+                           " cannot be read: " + error.what());
+      }
+      audit.hash = rows.getColumn(5).getString();
+      audit.reason = rows.getColumn(6).getString();
+      audits.push_back(std::move(audit));
+    }
+    return audits;
   });
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/record/attempt.h"
+#include "experiments/record/audit.h"
 
 namespace record {
 
@@ -24,11 +25,14 @@ struct Experiment {
 
 /// All attempts of an experiment in one SQLite file: the only state of a run.
 ///
-/// One row per attempt, written once, in a transaction of its own that is on the disk when `add` returns.
-/// One process writes; any number may read meanwhile.
+/// One row per attempt in the table `attempts`; the view `games` shows the same with the match statistics as
+/// columns, for people with a query. A row is written once, in a transaction of its own that is on the disk
+/// when `add` returns. One process writes; any number may read meanwhile.
 class Ledger {
  public:
-  static constexpr int schema = 1;  ///< `PRAGMA user_version`
+  /// `PRAGMA user_version`. 1: without match statistics; read as it is, and given the view `games` when it is
+  /// opened for writing.
+  static constexpr int schema = 2;
 
   /// Opens the ledger for writing; a file that does not exist is created for that experiment.
   ///
@@ -52,6 +56,14 @@ class Ledger {
 
   /// All attempts, by condition name, pair, leg and attempt.
   std::vector<Attempt> attempts() const;
+
+  /// Writes one audit, in place of an earlier one of the same attempt.
+  ///
+  /// @throws StorageError when it cannot be written
+  void add(const Audit& audit);
+
+  /// All audits, by condition name, pair, leg and attempt.
+  std::vector<Audit> audits() const;
 
   Experiment experiment() const;
 

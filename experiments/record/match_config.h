@@ -17,6 +17,8 @@ struct TeamConfig {
   std::vector<std::string> command;  ///< program and arguments; a bare name is looked up beside `matchday`
   std::vector<int> robots = {0, 1, 2, 3, 4, 5};  ///< numbers of the robots on the field
   double speed_factor = 1;                       ///< of speed and acceleration, in (0, 1]
+  std::filesystem::path
+      directory{};  ///< where it works, and from where a program with a / is seen; empty: ours
   bool operator==(const TeamConfig&) const = default;
 };
 

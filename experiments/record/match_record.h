@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "experiments/record/match_statistics.h"
 #include "sim/world/robot_id.h"
 #include "sim/world/time.h"
 
@@ -22,7 +24,10 @@ enum class Termination : std::uint8_t {
   Nonsense,       ///< it sent something that is not a valid message
   Overlong,       ///< over 40 simulated minutes: the referee is stuck (harness)
   Interrupted,    ///< stopped by the user (harness)
-  HarnessFault    ///< anything else that no team did
+  HarnessFault,   ///< anything else that no team did
+  OverLimit,      ///< it used more memory, or printed more, than a team may
+  Implausible     ///< over, but no game: a team never moved, robots were missing, or nothing was in play
+                  ///< (harness)
 };
 
 /// Who is to blame when a game did not finish.
@@ -61,13 +66,15 @@ struct MatchRecord {
   Party at_fault = Party::Harness;
   std::string reason;  ///< one sentence; empty when finished
 
-  std::int64_t ticks = 0;                  ///< simulated
-  std::string hash;                        ///< XXH3-128 of the game, 32 hexadecimal digits
-  std::map<std::string, int> calls;        ///< number of the referee's calls by event
-  world::PerTeam<int> fouls{};             ///< offences called against each team
-  int stoppages = 0;                       ///< times the game left GAME_ON, goals included
-  std::map<std::string, double> counters;  ///< anything else that is counted, same for the same game
-  world::PerTeam<std::string> versions;    ///< what the team's program says it is
+  std::int64_t ticks = 0;            ///< simulated
+  std::string hash;                  ///< XXH3-128 of the game, 32 hexadecimal digits
+  std::map<std::string, int> calls;  ///< number of the referee's calls by event
+  world::PerTeam<int> fouls{};       ///< offences called against each team
+  world::PerTeam<std::map<std::string, int>> fouls_by_kind{};  ///< the same by event
+  int stoppages = 0;                            ///< times the game left GAME_ON, goals included
+  std::map<std::string, double> counters;       ///< anything else that is counted, same for the same game
+  std::optional<MatchStatistics> statistics{};  ///< from the truth; ledgers before schema 2 have none
+  world::PerTeam<std::string> versions;         ///< what the team's program says it is
   std::vector<CallEntry> timeline;
 
   double wall_seconds = 0;              ///< not part of the result

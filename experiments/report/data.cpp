@@ -1,9 +1,11 @@
 // The formats for programs: every number in full.
-#include <array>
+#include <algorithm>
+#include <set>
 #include <utility>
 
 #include "experiments/record/json_text.h"
 #include "experiments/report/formats.h"
+#include "experiments/report/wording.h"
 
 namespace report {
 namespace {
@@ -14,6 +16,16 @@ void add_mean(Fields& fields, const std::string& name, const stats::Mean& mean) 
   fields.emplace_back(name, mean.count > 0 ? record::number(mean.mean) : "null");
   fields.emplace_back(name + "_standard_error",
                       mean.has_error() ? record::number(mean.standard_error) : "null");
+}
+
+/// Infinite ends become null.
+void add_interval(Fields& fields, const std::string& name, const stats::Interval& interval) {
+  fields.emplace_back(name + "_low", record::number(interval.low));
+  fields.emplace_back(name + "_high", record::number(interval.high));
+}
+
+std::string optional_number(const std::optional<double>& value) {
+  return value ? record::number(*value) : "null";
 }
 
 void add_side(Fields& fields, const std::string& letter, const Side& side, const record::TeamConfig& team) {
@@ -37,8 +49,18 @@ Fields fields_of(const Row& row, const Header::Condition& condition) {
   add_side(fields, "a", row.a, condition.a);
   add_side(fields, "b", row.b, condition.b);
   add_mean(fields, "goal_difference", row.difference);
+  add_interval(fields, "goal_difference_t", row.t_test.interval);
+  fields.emplace_back("goal_difference_t_p", record::number(row.t_test.p));
+  add_interval(fields, "goal_difference_bootstrap", row.bootstrap);
+  fields.emplace_back("sign_flip_p", record::number(row.permutation_p));
+  fields.emplace_back("sign_flip_p_holm", optional_number(row.permutation_p_holm));
+  fields.emplace_back("pair_correlation",
+                      row.correlation.known ? record::number(row.correlation.value) : "null");
+  fields.emplace_back("pair_correlation_standard_error",
+                      row.correlation.known ? record::number(row.correlation.standard_error) : "null");
   fields.emplace_back("pairs", std::to_string(row.difference.count));
   fields.emplace_back("sign_test_p", record::number(row.p));
+  fields.emplace_back("sign_test_p_holm", optional_number(row.p_holm));
   fields.emplace_back("stoppages", record::number(row.stoppages));
   fields.emplace_back("void_attempts", std::to_string(row.void_attempts));
   fields.emplace_back("given_up_pairs", std::to_string(row.given_up_pairs));
@@ -54,13 +76,120 @@ std::string json_object(const Fields& fields, const std::string& indent) {
   return text + "\n" + indent + "}";
 }
 
+/// A list of objects, or of any other JSON.
+template <class Items, class Write>
+std::string json_list(const Items& items, Write write) {
+  std::string text = "[";
+  for (const auto& item : items) text += (text.size() > 1 ? ", " : "") + write(item);
+  return text + "]";
+}
+
+std::string statistics_json(const std::vector<Comparison>& comparisons) {
+  return json_list(comparisons, [](const Comparison& one) {
+    Fields fields;
+    fields.emplace_back("name", record::quoted(one.name));
+    add_mean(fields, "a", one.a);
+    add_mean(fields, "b", one.b);
+    fields.emplace_back("difference", record::number(one.test.difference));
+    add_interval(fields, "difference", one.test.interval);
+    fields.emplace_back("p", record::number(one.test.p));
+    fields.emplace_back("p_holm", record::number(one.p_holm));
+    return json_object(fields, "      ");
+  });
+}
+
+std::string game_numbers_json(const std::vector<GameNumber>& numbers) {
+  return json_list(numbers, [](const GameNumber& one) {
+    Fields fields;
+    fields.emplace_back("name", record::quoted(one.name));
+    add_mean(fields, "value", one.value);
+    return json_object(fields, "      ");
+  });
+}
+
+std::string values_json(const std::map<std::string, double>& values) {
+  Fields fields;
+  for (const auto& [key, value] : values) fields.emplace_back(key, record::number(value));
+  return fields.empty() ? "{}" : json_object(fields, "      ");
+}
+
 std::string json_rows(const Header& header, const std::vector<Row>& rows) {
   std::string text = "[";
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    text += (i > 0 ? ", " : "") + json_object(fields_of(rows[i], header.conditions[i]), "    ");
+    Fields fields = fields_of(rows[i], header.conditions[i]);
+    fields.emplace_back(
+        "sweep", header.conditions[i].sweep.empty() ? "null" : record::quoted(header.conditions[i].sweep));
+    fields.emplace_back("values", values_json(header.conditions[i].values));
+    fields.emplace_back("statistics", statistics_json(rows[i].comparisons));
+    fields.emplace_back("game_statistics", game_numbers_json(rows[i].game_numbers));
+    text += (i > 0 ? ", " : "") + json_object(fields, "    ");
   }
   return text + "]";
 }
+
+std::string json_sweeps(const std::vector<Sweep>& sweeps) {
+  return json_list(sweeps, [](const Sweep& sweep) {
+    Fields fields;
+    fields.emplace_back("sweep", record::quoted(sweep.name));
+    fields.emplace_back("key", record::quoted(sweep.key));
+    fields.emplace_back("slope", sweep.trend.known ? record::number(sweep.trend.slope) : "null");
+    fields.emplace_back("slope_standard_error",
+                        sweep.trend.known ? record::number(sweep.trend.standard_error) : "null");
+    add_interval(fields, "slope", sweep.trend.interval);
+    fields.emplace_back("p", record::number(sweep.trend.p));
+    fields.emplace_back("permutation_p", record::number(sweep.trend.permutation_p));
+    return json_object(fields, "    ");
+  });
+}
+
+std::string json_texts(const std::vector<std::string>& texts) {
+  return json_list(texts, [](const std::string& text) { return record::quoted(text); });
+}
+
+/// What a line of a spreadsheet has beside the fields of its row: values of sweeps and statistics, the same
+/// columns in every line.
+class Extras {
+ public:
+  explicit Extras(const Summary& summary) {
+    for (const Header::Condition& condition : summary.header.conditions) {
+      for (const auto& [key, value] : condition.values) values_.insert(key);
+    }
+    for (const auto* rows : {&summary.rows, &summary.without_forfeits}) {
+      for (const Row& row : *rows) {
+        for (const Comparison& one : row.comparisons) statistics_.insert(one.name);
+        for (const GameNumber& one : row.game_numbers) numbers_.insert(one.name);
+      }
+    }
+  }
+
+  void add(Fields& fields, const Row& row, const Header::Condition& condition) const {
+    for (const std::string& key : values_) {
+      const auto found = condition.values.find(key);
+      fields.emplace_back("value_" + key,
+                          found == condition.values.end() ? "null" : record::number(found->second));
+    }
+    for (const std::string& name : numbers_) {
+      const auto found = std::find_if(row.game_numbers.begin(), row.game_numbers.end(),
+                                      [&](const GameNumber& one) { return one.name == name; });
+      add_mean(fields, name, found == row.game_numbers.end() ? stats::Mean{} : found->value);
+    }
+    for (const std::string& name : statistics_) {
+      const auto found = std::find_if(row.comparisons.begin(), row.comparisons.end(),
+                                      [&](const Comparison& one) { return one.name == name; });
+      const bool there = found != row.comparisons.end();
+      add_mean(fields, name + "_a", there ? found->a : stats::Mean{});
+      add_mean(fields, name + "_b", there ? found->b : stats::Mean{});
+      fields.emplace_back(name + "_difference", there ? record::number(found->test.difference) : "null");
+      fields.emplace_back(name + "_p", there ? record::number(found->test.p) : "null");
+      fields.emplace_back(name + "_p_holm", there ? record::number(found->p_holm) : "null");
+    }
+  }
+
+ private:
+  std::set<std::string> values_;
+  std::set<std::string> numbers_;
+  std::set<std::string> statistics_;
+};
 
 /// A JSON value as a cell: texts with their quotes doubled inside, null as an empty cell.
 std::string csv_cell(const std::string& json) {
@@ -93,6 +222,10 @@ std::string as_json(const Summary& summary) {
                       {"games", std::to_string(summary.games)},
                       {"planned", std::to_string(summary.planned)},
                       {"repeated_games", std::to_string(summary.repeated_games)},
+                      {"stopping", record::quoted(header.stopping)},
+                      {"answers", json_texts(header.answers)},
+                      {"warnings", json_texts(warnings(summary))},
+                      {"sweeps", json_sweeps(summary.sweeps)},
                       {"conditions", json_rows(header, summary.rows)},
                       {"conditions_without_forfeits", json_rows(header, summary.without_forfeits)}},
                      "") +
@@ -106,13 +239,19 @@ std::string as_csv(const Summary& summary) {
     for (const auto& [name, value] : fields) text += "," + (names ? name : csv_cell(value));
     text += "\n";
   };
+  const Extras extras(summary);
+  const auto fields_with_extras = [&](const Row& row, std::size_t i) {
+    Fields fields = fields_of(row, summary.header.conditions[i]);
+    extras.add(fields, row, summary.header.conditions[i]);
+    return fields;
+  };
   for (std::size_t i = 0; i < summary.rows.size(); ++i) {
-    const Fields fields = fields_of(summary.rows[i], summary.header.conditions[i]);
+    const Fields fields = fields_with_extras(summary.rows[i], i);
     if (i == 0) line("forfeits", fields, true);
     line("counted", fields, false);
   }
   for (std::size_t i = 0; i < summary.without_forfeits.size(); ++i) {
-    line("left out", fields_of(summary.without_forfeits[i], summary.header.conditions[i]), false);
+    line("left out", fields_with_extras(summary.without_forfeits[i], i), false);
   }
   return text;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,7 +7,7 @@
 
 namespace report {
 
-/// For a terminal, at most 110 columns.
+/// For a terminal, at most 100 columns. Match statistics of at most four conditions.
 std::string as_text(const Summary& summary);
 /// For a web page or a note.
 std::string as_markdown(const Summary& summary);
@@ -16,8 +15,10 @@ std::string as_markdown(const Summary& summary);
 std::string as_csv(const Summary& summary);
 /// For a program: everything.
 std::string as_json(const Summary& summary);
+/// For a paper: the main table, the match statistics and the trends as tabulars of the package booktabs.
+std::string as_latex(const Summary& summary);
 
-/// The report in the format of that name: text, markdown, csv or json.
+/// The report in the format of that name: text, markdown, csv, json or latex.
 ///
 /// @throws std::invalid_argument naming the known ones
 std::string formatted(const Summary& summary, std::string_view format);

@@ -1,9 +1,13 @@
 #include "experiments/report/summary.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <map>
 #include <set>
 
+#include "experiments/stats/many_tests.h"
+#include "experiments/stats/resampling.h"
 #include "experiments/stats/sign_test.h"
 
 namespace report {
@@ -15,9 +19,15 @@ using record::Party;
 
 constexpr double usual_level = 0.05;  // of the sign test in a verdict
 
-using Pair = std::array<const Attempt*, 2>;
-
 bool is_forfeit(const Attempt& game) { return game.record.at_fault != Party::Nobody; }
+
+/// "0.031", "< 0.001"
+std::string p_text(double p) {
+  if (p < 0.001) return "< 0.001";
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3f", p);
+  return text.data();
+}
 
 /// Counts of one condition while they are collected.
 class Counter {
@@ -29,13 +39,21 @@ class Counter {
   }
 
   void add(const Pair& pair) {
-    double difference = 0;
-    for (const Attempt* game : pair) difference += add(*game) / 2;
-    differences_.push_back(difference);
+    std::array<double, 2> legs{};
+    for (std::size_t leg = 0; leg < legs.size(); ++leg) legs.at(leg) = add(*pair.at(leg));
+    legs_.push_back(legs);
+    row_.pair_differences.push_back((legs[0] + legs[1]) / 2);
+    pairs_.push_back(pair);
   }
 
   Row row(int void_attempts, int given_up_pairs) {
-    row_.difference = stats::mean_of(differences_);
+    row_.difference = stats::mean_of(row_.pair_differences);
+    row_.t_test = stats::t_test(row_.difference);
+    row_.bootstrap = stats::bootstrap(row_.pair_differences);
+    row_.permutation_p = stats::sign_flip(row_.pair_differences);
+    row_.correlation = stats::pair_correlation(legs_);
+    row_.comparisons = compare(pairs_);
+    row_.game_numbers = game_numbers(pairs_);
     row_.a.goals = stats::mean_of(goals_a_);
     row_.b.goals = stats::mean_of(goals_b_);
     row_.a.win_share = stats::wilson(row_.a.wins, row_.games);
@@ -82,23 +100,66 @@ class Counter {
   double played_ = 0;
   std::vector<double> goals_a_;
   std::vector<double> goals_b_;
-  std::vector<double> differences_;
+  std::vector<std::array<double, 2>> legs_;  ///< goal differences of the two games
+  std::vector<Pair> pairs_;
 };
+
+/// Holm's adjustment over the conditions that are questions of their own.
+void adjust(std::vector<Row>& rows, const std::vector<Header::Condition>& conditions) {
+  std::vector<Row*> asked;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (conditions[i].sweep.empty() && rows[i].games > 0) asked.push_back(&rows[i]);
+  }
+  if (asked.size() < 2) return;
+  std::vector<double> p;
+  std::vector<double> permutation;
+  for (const Row* row : asked) {
+    p.push_back(row->p);
+    permutation.push_back(row->permutation_p);
+  }
+  p = stats::holm(p);
+  permutation = stats::holm(permutation);
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    asked[i]->p_holm = p[i];
+    asked[i]->permutation_p_holm = permutation[i];
+  }
+}
+
+std::vector<Sweep> sweeps_of(const std::vector<Row>& rows, const std::vector<Header::Condition>& conditions) {
+  std::map<std::pair<std::string, std::string>, std::vector<std::pair<double, std::size_t>>> places;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    if (conditions[i].sweep.empty()) continue;
+    for (const auto& [key, value] : conditions[i].values)
+      places[{conditions[i].sweep, key}].emplace_back(value, i);
+  }
+  std::vector<Sweep> found;
+  for (auto& [name, points] : places) {
+    std::sort(points.begin(), points.end());
+    if (points.front().first == points.back().first) continue;
+    Sweep sweep;
+    sweep.name = name.first;
+    sweep.key = name.second;
+    std::vector<stats::SweepPoint> values;
+    for (const auto& [x, row] : points) {
+      sweep.x.push_back(x);
+      sweep.rows.push_back(row);
+      values.push_back({x, rows[row].pair_differences});
+    }
+    sweep.trend = stats::trend(values);
+    found.push_back(std::move(sweep));
+  }
+  return found;
+}
 
 }  // namespace
 
 std::string Row::verdict() const {
   if (games == 0) return "no game counts yet";
-  std::array<char, 64> p_text{};
-  if (p < 0.001) {
-    std::snprintf(p_text.data(), p_text.size(), "(p < 0.001)");
-  } else {
-    std::snprintf(p_text.data(), p_text.size(), "(p = %.3f)", p);
-  }
-  if (p >= usual_level) return std::string("no difference shown ") + p_text.data();
-  return std::string(a.wins > b.wins ? "A wins more games than it loses "
-                                     : "A loses more games than it wins ") +
-         p_text.data();
+  const std::string how_sure = std::string("(p ") + (p < 0.001 ? "" : "= ") + p_text(p) +
+                               (p_holm ? "; Holm " + p_text(*p_holm) : "") + ")";
+  if (p_holm.value_or(p) >= usual_level) return "no difference shown " + how_sure;
+  return (a.wins > b.wins ? "A wins more games than it loses " : "A loses more games than it wins ") +
+         how_sure;
 }
 
 Summary summarise(Header header, std::span<const Attempt> attempts) {
@@ -134,6 +195,9 @@ Summary summarise(Header header, std::span<const Attempt> attempts) {
     summary.planned += 2 * summary.header.pairs;
   }
   if (!any_forfeit) summary.without_forfeits.clear();
+  adjust(summary.rows, summary.header.conditions);
+  adjust(summary.without_forfeits, summary.header.conditions);
+  summary.sweeps = sweeps_of(summary.rows, summary.header.conditions);
   return summary;
 }
 

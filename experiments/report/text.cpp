@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 #include "experiments/report/formats.h"
@@ -8,16 +10,62 @@
 namespace report {
 namespace {
 
-constexpr std::size_t team_width = 33;  // with it a line has 107 columns
+constexpr std::size_t team_width = 30;  // with it a line has 100 columns
+constexpr std::size_t line_width = 100;
+constexpr std::size_t most_compared = 4;  // conditions whose match statistics a terminal shows
+
+/// Columns a text takes: bytes that continue a character take none.
+std::size_t columns(const std::string& text) {
+  std::size_t count = 0;
+  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
+  return count;
+}
 
 std::string shortened(const std::string& text, std::size_t width) {
-  return text.size() <= width ? text : fmt::format("{}~", text.substr(0, width - 1));
+  return columns(text) <= width ? text : text.substr(0, width - 1) + "~";
+}
+
+std::string left(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, columns(text)), ' ');
+}
+
+std::string right(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, columns(text)), ' ') + text;
+}
+
+/// Broken between words; lines after the first are indented by `indent`, the first as it is.
+std::string wrapped(const std::string& text, const std::string& indent) {
+  std::string result;
+  std::string line = text.substr(0, text.find_first_not_of(' '));
+  bool first_word = true;
+  std::istringstream words(text);
+  for (std::string word; words >> word; first_word = false) {
+    if (!first_word && columns(line) + 1 + columns(word) > line_width) {
+      result += line + "\n";
+      line = indent + word;
+    } else {
+      line += (first_word ? "" : " ") + word;
+    }
+  }
+  return result + line + "\n";
 }
 
 std::string side_line(const std::string& team, const Row& row, const Side& side, const Side& other) {
-  return fmt::format("  {:<{}} {:>5} {:>5} {:>5} {:>5}   {:<20} {:<13} {:>6}\n", shortened(team, team_width),
-                     team_width, row.games, side.wins, row.draws, other.wins, percent(side, row.games),
-                     plus_minus(side.goals), one_decimal(side.fouls));
+  return fmt::format("  {} {:>5} {:>5} {:>5} {:>5}   {:<20} {} {:>6}\n",
+                     left(shortened(team, team_width), team_width), row.games, side.wins, row.draws,
+                     other.wins, percent(side, row.games), left(plus_minus(side.goals), 13),
+                     one_decimal(side.fouls));
+}
+
+std::string difference_lines(const Row& row) {
+  if (row.difference.count == 0) return "";
+  return fmt::format("  A - B {} goals a game, 95 %: t {}, bootstrap {}\n", signed_plus_minus(row.difference),
+                     bracketed(row.t_test.interval), bracketed(row.bootstrap)) +
+         wrapped(fmt::format("        sign flips p {}; {} pair{}, r within pairs {}; {} stoppages a game",
+                             p_value(row.permutation_p, row.permutation_p_holm), row.difference.count,
+                             row.difference.count == 1 ? "" : "s", correlation(row.correlation),
+                             one_decimal(row.stoppages)),
+                 "        ");
 }
 
 std::string table(const Header& header, const std::vector<Row>& rows) {
@@ -26,24 +74,60 @@ std::string table(const Header& header, const std::vector<Row>& rows) {
                   "wins", "draws", "lost", "win % [95 %]", "goals a game", "fouls");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Row& row = rows[i];
-    const std::string& realism = header.conditions[i].realism;
-    const std::string other_realism = realism == header.realism ? "" : " (realism " + realism + ")";
-    text += "\n" + row.condition + other_realism + ": " + row.verdict() + "\n";
+    text += "\n" + wrapped(titled(header, i) + ": " + row.verdict(), "  ");
     text += side_line(described('A', header.conditions[i].a), row, row.a, row.b);
     text += side_line(described('B', header.conditions[i].b), row, row.b, row.a);
-    text += fmt::format("  A - B {} goals a game over {} pair{}, {} stoppages a game\n",
-                        signed_plus_minus(row.difference), row.difference.count,
-                        row.difference.count == 1 ? "" : "s", one_decimal(row.stoppages));
+    text += difference_lines(row);
   }
   return text;
+}
+
+std::string statistics(const Row& row) {
+  std::string text =
+      fmt::format("\n  {:<28} {:>14} {:>14} {:>10}  {:<17} {}\n",
+                  shortened("statistics, " + row.condition, 28), "A", "B", "A - B", "95 %", "Holm p");
+  for (const Comparison& one : row.comparisons) {
+    text += fmt::format(
+        "  {} {} {} {:>10}  {:<17} {}{}\n", left(shortened(one.label, 28), 28),
+        right(plus_minus(one.a, one.decimals), 14), right(plus_minus(one.b, one.decimals), 14),
+        signed_number(one.test.difference, one.decimals), bracketed(one.test.interval, one.decimals),
+        p_value(one.p_holm), one.p_holm < 0.05 ? " *" : "");
+  }
+  for (const GameNumber& one : row.game_numbers) {
+    text += fmt::format("  {} {}\n", left(shortened(one.label, 28), 28),
+                        right(plus_minus(one.value, one.decimals), 14));
+  }
+  return text;
+}
+
+std::string all_statistics(const std::vector<Row>& rows) {
+  std::size_t compared = 0;
+  for (const Row& row : rows) compared += row.comparisons.empty() ? 0 : 1;
+  if (compared == 0) return "";
+  if (compared > most_compared) {
+    return fmt::format(
+        "\nThe match statistics of {} conditions are in the formats markdown, csv, json and in --html.\n",
+        compared);
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    if (!row.comparisons.empty()) text += statistics(row);
+  }
+  return text +
+         "  a game, over pairs played to their end; *: differs, Holm p under 0.05 among the statistics\n";
 }
 
 }  // namespace
 
 std::string as_text(const Summary& summary) {
   const Header& header = summary.header;
-  std::string text = header.design + (header.description.empty() ? "" : ": " + header.description) + "\n";
-  text += circumstances(summary) + "\n\n";
+  std::string text =
+      wrapped(header.design + (header.description.empty() ? "" : ": " + header.description), "  ");
+  text += circumstances(summary) + "\n";
+  if (!header.stopping.empty()) text += wrapped("stopping: " + header.stopping, "  ");
+  text += "\n";
+  for (const std::string& answer : header.answers) text += wrapped(answer, "  ");
+  if (!header.answers.empty()) text += "\n";
   if (!summary.without_forfeits.empty()) {
     text += fmt::format("Forfeits counted as lost 0:{}\n\n", header.forfeit_goals);
   }
@@ -51,10 +135,11 @@ std::string as_text(const Summary& summary) {
   if (!summary.without_forfeits.empty()) {
     text += "\nThe pairs without forfeits alone\n\n" + table(header, summary.without_forfeits);
   }
-  text +=
-      "\n± is one standard error; fouls are calls against the team per game;\np is the exact two-sided sign "
-      "test of A's wins against its losses.\n";
-  for (const std::string& warning : warnings(summary)) text += "Note: " + warning + ".\n";
+  if (!summary.sweeps.empty()) text += "\nTrends\n";
+  for (const Sweep& sweep : summary.sweeps) text += wrapped(sentence(sweep), "  ");
+  text += all_statistics(summary.rows) + "\n";
+  for (const std::string& note : footnotes(summary)) text += wrapped(note + ".", "  ");
+  for (const std::string& warning : warnings(summary)) text += wrapped("Note: " + warning + ".", "  ");
   return text;
 }
 
@@ -63,8 +148,9 @@ std::string formatted(const Summary& summary, std::string_view format) {
   if (format == "markdown") return as_markdown(summary);
   if (format == "csv") return as_csv(summary);
   if (format == "json") return as_json(summary);
+  if (format == "latex") return as_latex(summary);
   throw std::invalid_argument("unknown format '" + std::string(format) +
-                              "'; known are: text, markdown, csv, json");
+                              "'; known are: text, markdown, csv, json, latex");
 }
 
 }  // namespace report

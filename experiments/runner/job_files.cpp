@@ -1,8 +1,15 @@
 #include "experiments/runner/job_files.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace runner {
 namespace {
@@ -25,6 +32,31 @@ void write_text(const fs::path& file, const std::string& text) {
 }
 
 }  // namespace
+
+fs::path progress_file(const fs::path& result) { return result.parent_path() / "progress"; }
+
+ProgressWriter::ProgressWriter(const fs::path& file)
+    : file_(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {
+  if (file_ < 0) {
+    throw std::runtime_error(file.string() +
+                             ": cannot be written: " + std::generic_category().message(errno));
+  }
+}
+ProgressWriter::~ProgressWriter() { ::close(file_); }
+
+void ProgressWriter::write(double seconds) {
+  std::array<char, 32> line{};
+  const int length = std::snprintf(line.data(), line.size(), "%20.3f\n", seconds);
+  // A missed sign of life is followed by another one.
+  [[maybe_unused]] const ssize_t ignored = ::pwrite(file_, line.data(), static_cast<std::size_t>(length), 0);
+}
+
+std::optional<double> read_progress(const fs::path& file) {
+  std::ifstream stream(file);
+  double seconds = 0;
+  if (stream >> seconds) return seconds;
+  return std::nullopt;
+}
 
 void write_job(const fs::path& file, const record::MatchConfig& config) {
   write_text(file, record::to_json(config));

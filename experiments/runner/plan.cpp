@@ -59,10 +59,24 @@ void Plan::add(const record::Attempt& attempt) {
 
 void Plan::start_again(std::size_t index, int attempt) {
   std::erase_if(waiting_, [&](const Entry& entry) { return entry.index / 2 == index; });
-  pairs_[index] = {attempt, {}};
-  if (pairs_[index].given_up()) return;
+  Pair& pair = pairs_[index];
+  pair.attempt = attempt;
+  pair.played = {};
+  if (pair.given_up() || !pair.needed) return;
   waiting_.push_back({2 * index, attempt});
   waiting_.push_back({2 * index + 1, attempt});
+}
+
+void Plan::stop(const std::string& condition, int next_pair) {
+  for (int number = next_pair; number < design_.pairs; ++number) {
+    pairs_[pair_index({condition, number, 0})].needed = false;
+  }
+  std::erase_if(waiting_, [&](const Entry& entry) { return !pairs_[entry.index / 2].needed; });
+}
+
+std::size_t Plan::total() const {
+  return 2 * static_cast<std::size_t>(
+                 std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& pair) { return pair.needed; }));
 }
 
 std::size_t Plan::pair_index(const record::GameKey& key) const {
@@ -80,6 +94,7 @@ std::size_t Plan::pair_index(const record::GameKey& key) const {
 std::size_t Plan::resolved() const {
   std::size_t games = 0;
   for (const Pair& pair : pairs_) {
+    if (!pair.needed) continue;
     if (pair.given_up()) {
       games += 2;
     } else {
@@ -90,8 +105,8 @@ std::size_t Plan::resolved() const {
 }
 
 std::size_t Plan::given_up_pairs() const {
-  return static_cast<std::size_t>(
-      std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& pair) { return pair.given_up(); }));
+  return static_cast<std::size_t>(std::count_if(
+      pairs_.begin(), pairs_.end(), [](const Pair& pair) { return pair.needed && pair.given_up(); }));
 }
 
 }  // namespace runner

@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "experiments/record/attempt.h"
@@ -36,7 +37,11 @@ class Plan {
   /// Takes in how an attempt ended.
   void add(const record::Attempt& attempt);
 
-  std::size_t total() const { return 2 * pairs_.size(); }
+  /// Pairs of a condition from this number on are not needed any more; what was played of them already is
+  /// not counted either.
+  void stop(const std::string& condition, int next_pair);
+
+  std::size_t total() const;
   /// Games that need not be played again: they count, or their pair was given up.
   std::size_t resolved() const;
   std::size_t given_up_pairs() const;
@@ -45,6 +50,7 @@ class Plan {
   struct Pair {
     int attempt = 1;
     std::array<bool, 2> played{};  ///< in that attempt
+    bool needed = true;
     bool given_up() const { return attempt > record::max_attempts; }
   };
   struct Entry {

@@ -33,13 +33,14 @@ std::string digits(XXH128_hash_t hash) {
 std::vector<fs::path> team_files(const record::TeamConfig& team, const std::string& who) {
   std::vector<fs::path> paths;
   try {
-    paths.push_back(fs::canonical(process::find_program(team.command.front())));
+    paths.push_back(fs::canonical(process::find_program(team.command.front(), team.directory)));
   } catch (const process::StartError& error) {
     throw std::invalid_argument(who + ": " + error.what());
   }
   for (std::size_t i = 1; i < team.command.size(); ++i) {
     std::error_code ignored;
-    if (fs::is_regular_file(team.command[i], ignored)) paths.push_back(fs::canonical(team.command[i]));
+    const fs::path file = team.directory / team.command[i];
+    if (fs::is_regular_file(file, ignored)) paths.push_back(fs::canonical(file));
   }
   return paths;
 }

@@ -109,7 +109,9 @@ std::string Progress::line(Clock::time_point now) const {
   const auto played = static_cast<double>(resolved_ - resolved_before_);
   if (played > 0 && seconds > 0) {
     text += printed(", %.1f/min", 60 * played / seconds);
-    text += ", " + hours(seconds / played * static_cast<double>(total_ - resolved_)) + " left";
+  }
+  if (left_ && resolved_ < total_) {
+    text += ", " + hours(left_->seconds) + " left (" + hours(left_->low) + "-" + hours(left_->high) + ")";
   }
   for (const Score& score : scores_) {
     text += (&score == &scores_.front() ? " | " : ", ") + score.condition +

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "experiments/record/attempt.h"
+#include "experiments/runner/time_left.h"
 #include "experiments/schedule/design.h"
 
 namespace runner {
@@ -24,6 +27,15 @@ class Progress {
   /// Takes in games that were there already, or the one that has just ended.
   void known(const record::Attempt& attempt);
   void ended(const record::Attempt& attempt, std::size_t resolved, Clock::time_point now = Clock::now());
+  /// How long the rest will take, until it is told anew.
+  void left(const std::optional<TimeLeft::Estimate>& estimate) { left_ = estimate; }
+
+  /// There are fewer games to be played than it seemed.
+  void set_total(std::size_t total, std::size_t resolved) {
+    total_ = total;
+    resolved_ = resolved;
+    resolved_before_ = std::min(resolved_before_, resolved);
+  }
 
   /// Draws the line anew, at most a few times a second.
   void tick(std::size_t running, Clock::time_point now = Clock::now());
@@ -32,7 +44,7 @@ class Progress {
   /// A sentence of its own.
   void say(const std::string& sentence);
 
-  /// "5/24 games, 4.2/min, 4:31 left | equal 2-1-1, half-speed 1-0-0"
+  /// "5/24 games, 4.2/min, 4:31 left (4:02-5:00) | equal 2-1-1, half-speed 1-0-0"
   std::string line(Clock::time_point now) const;
 
  private:
@@ -50,6 +62,7 @@ class Progress {
   std::size_t resolved_;
   std::size_t resolved_before_;
   std::vector<Score> scores_;
+  std::optional<TimeLeft::Estimate> left_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point drawn_{};
 };

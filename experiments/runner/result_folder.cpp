@@ -5,13 +5,17 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 
 #include "experiments/record/ledger.h"
 
 namespace runner {
 
 namespace fs = std::filesystem;
+
+constexpr std::chrono::seconds patience{1};  // KILL takes milliseconds
 
 ResultFolder::ResultFolder(const fs::path& path) {
   const auto fail = [&path](const std::string& problem, int error) {
@@ -24,8 +28,14 @@ ResultFolder::ResultFolder(const fs::path& path) {
   path_ = fs::canonical(path);
   lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0) fail("cannot be opened", errno);
-  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
-  const int reason = errno;
+  // A run that has just been killed holds it until the last process it was about to start is gone, too.
+  int reason = 0;
+  for (const auto until = std::chrono::steady_clock::now() + patience;;) {
+    if (::flock(lock_, LOCK_EX | LOCK_NB) == 0) return;
+    reason = errno;
+    if (reason != EWOULDBLOCK || std::chrono::steady_clock::now() > until) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds{10});
+  }
   ::close(lock_);
   if (reason != EWOULDBLOCK) fail("cannot be locked", reason);
   throw record::StorageError(
@@ -39,10 +49,17 @@ fs::path ResultFolder::game(const std::string& id, int attempt) const {
   return path_ / "games" / id / std::to_string(attempt);
 }
 
-void ResultFolder::forget_game(const std::string& id) const {
+void ResultFolder::forget_game(const std::string& id, int attempt) const {
   std::error_code ignored;  // a leftover file is no reason to end a night
-  fs::remove_all(path_ / "games" / id, ignored);
-  fs::remove(path_ / "games", ignored);  // only when it is empty
+  fs::remove_all(game(id, attempt), ignored);
+  fs::remove(path_ / "games" / id, ignored);  // these two only when they are empty
+  fs::remove(path_ / "games", ignored);
+}
+
+void ResultFolder::forget_audit(const std::string& id) const {
+  std::error_code ignored;
+  fs::remove_all(audit(id), ignored);
+  fs::remove(path_ / "audits", ignored);
 }
 
 }  // namespace runner

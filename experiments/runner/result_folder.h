@@ -24,8 +24,17 @@ class ResultFolder {
   /// games/<id>/<attempt>: what an attempt leaves behind.
   std::filesystem::path game(const std::string& id, int attempt) const;
 
-  /// Throws away what the attempts of a game left behind.
-  void forget_game(const std::string& id) const;
+  std::filesystem::path status() const { return path_ / "status.json"; }
+  std::filesystem::path scratch_note() const { return path_ / "scratch"; }
+  /// audits/<id>: a game that is played again to compare its hash.
+  std::filesystem::path audit(const std::string& id) const { return path_ / "audits" / id; }
+  /// preflight/<number>
+  std::filesystem::path preflight() const { return path_ / "preflight"; }
+
+  /// Throws away what an attempt at a game left behind.
+  void forget_game(const std::string& id, int attempt) const;
+  /// Throws away what an audit left behind.
+  void forget_audit(const std::string& id) const;
 
  private:
   std::filesystem::path path_;  ///< absolute

@@ -1,161 +1,508 @@
 #include "experiments/runner/run.h"
 
-#include <sched.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <memory>
+#include <map>
 #include <ostream>
+#include <set>
 
+#include "experiments/process/family.h"
 #include "experiments/process/program.h"
 #include "experiments/record/ledger.h"
+#include "experiments/runner/audit.h"
+#include "experiments/runner/breaker.h"
+#include "experiments/runner/crew.h"
+#include "experiments/runner/evidence.h"
 #include "experiments/runner/manifest.h"
 #include "experiments/runner/plan.h"
+#include "experiments/runner/preflight.h"
 #include "experiments/runner/program_files.h"
+#include "experiments/runner/program_watch.h"
 #include "experiments/runner/progress.h"
+#include "experiments/runner/refresher.h"
 #include "experiments/runner/result_folder.h"
 #include "experiments/runner/signals.h"
+#include "experiments/runner/status.h"
+#include "experiments/stopping/watch.h"
+#include "experiments/stopping/wording.h"
 
 namespace runner {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 // How often the workers are looked at: well below the time of a game, and too seldom to disturb it.
 constexpr std::chrono::milliseconds look{20};
-
-/// The processors this process may use.
-std::vector<int> processors() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  ::sched_getaffinity(0, sizeof set, &set);
-  std::vector<int> found;
-  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
-    if (CPU_ISSET(static_cast<std::size_t>(cpu), &set)) found.push_back(cpu);
-  }
-  return found;
-}
 
 std::string worker_problem(const std::exception& error) {
   return std::string("the worker could not be started: ") + error.what();
 }
 
+std::string mebibytes(std::int64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
+
+WorkerLimits limits_of(const RunOptions& options) {
+  WorkerLimits limits = worker_limits(options.limits);
+  limits.start_up = options.start_up;
+  limits.grace = options.grace;
+  return limits;
+}
+
+/// "1 process", "3 processes"
+std::string processes(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " process" : " processes");
+}
+
+/// Ends whatever games of this folder have left behind, now and when it goes: also when an error ends the
+/// run.
+class Leftovers {
+ public:
+  explicit Leftovers(const ResultFolder& folder)
+      : mark_(game_variable + ("=" + folder.path().string() + "/")), not_ours_(process::children()) {
+    process::adopt_orphans();
+  }
+  Leftovers(const Leftovers&) = delete;
+  Leftovers& operator=(const Leftovers&) = delete;
+  ~Leftovers() { end(); }
+
+  std::size_t end() const {
+    const std::size_t marked = process::end_started_with(mark_);
+    return marked + process::end_adopted(not_ours_);
+  }
+
+  /// Reaps orphans that have died.
+  void reap(std::vector<pid_t> held) const {
+    held.insert(held.end(), not_ours_.begin(), not_ours_.end());
+    process::reap_adopted(held);
+  }
+
+ private:
+  std::string mark_;
+  std::vector<pid_t> not_ours_;  ///< children there were before the run
+};
+
 /// One run from the moment its ledger is open.
 class Run {
  public:
   Run(const schedule::Design& design, const RunOptions& options, const ResultFolder& folder,
-      record::Ledger& ledger, std::ostream& out)
-      : options_(options),
+      record::Ledger& ledger, std::span<const ProgramFile> files, std::ostream& out)
+      : design_(design),
+        options_(options),
         folder_(folder),
         ledger_(ledger),
+        experiment_(ledger.experiment().hash),
         before_(ledger.attempts()),
+        audited_(ledger.audits()),
         plan_(design, before_),
+        watch_(design),
         progress_(out, options.terminal, design, plan_.total(), plan_.resolved()),
-        cpus_(processors()),
-        workers_(static_cast<std::size_t>(options.workers > 0 ? options.workers
-                                                              : static_cast<int>(cpus_.size()))) {
-    for (const record::Attempt& attempt : before_) progress_.known(attempt);
+        breaker_(options.limits, plan_.total()),
+        evidence_(folder, options.limits.kept_logs << 20, before_),
+        programs_(files),
+        leftovers_(folder),
+        crew_(options.worker_command, limits_of(options), options.workers, folder.scratch_note()),
+        steps_(crew_.places()),
+        refresher_(options.refresh_command, options.refresh_interval, folder.path() / "refresh.log") {
+    for (const record::Attempt& attempt : before_) {
+      progress_.known(attempt);
+      count(attempt);
+      stop_where_answered(attempt);
+    }
+    take_audits_up_again();
+    status_.experiment = experiment_;
+    status_.process = static_cast<int>(::getpid());
+    status_.started = options.date();
   }
 
   RunResult play() {
-    announce();
     RunResult result{Ending::Done, 0, folder_.path()};
-    while (start_workers() > 0) {
+    announce();
+    check_disk_at_start();
+    if (options_.preflight && plan_.resolved() == 0 && plan_.total() > 0 && !preflight(result)) {
+      return finish(result);
+    }
+    state_ = "running";
+    while (start_games() > 0 || waiting_for_disk_) {
       if (const auto signal = signals_.wait(look)) {
-        result = {Ending::Interrupted, *signal, folder_.path()};
-        break;
+        if (signal_) break;  // the second
+        drain(*signal);
       }
       collect();
-      if (faults_in_a_row_ >= options_.most_faults_in_a_row) break;
-      progress_.tick(running());
+      keep_house();
     }
-    end_workers();
-    progress_.clear();
-    if (result.ending == Ending::Done && (plan_.resolved() < plan_.total() || plan_.given_up_pairs() > 0)) {
+    crew_.end();
+    if (signal_) {
+      result.ending = Ending::Interrupted;
+      result.signal = *signal_;
+    } else if (breaker_.tripped() || plan_.given_up_pairs() > 0) {
       result.ending = Ending::TooManyFaults;
     }
-    return result;
+    return finish(result);
   }
-
-  const Plan& plan() const { return plan_; }
 
  private:
   void announce() {
+    const std::size_t found = leftovers_.end();
+    if (found > 0) {
+      progress_.say(processes(found) + " of an earlier run in this folder " + (found == 1 ? "was" : "were") +
+                    " still there and had to be ended");
+    }
     if (plan_.resolved() == 0) return;
     progress_.say("continuing in " + folder_.path().string() + ": " + std::to_string(plan_.resolved()) +
                   " of " + std::to_string(plan_.total()) + " games are there");
   }
 
-  std::size_t running() const {
-    return static_cast<std::size_t>(std::count_if(workers_.begin(), workers_.end(),
-                                                  [](const auto& worker) { return worker != nullptr; }));
+  // --- disk
+
+  std::string disk_sentence(std::int64_t bytes) const {
+    return "the disk of " + folder_.path().string() + " has " + mebibytes(bytes) + " left, " +
+           mebibytes(options_.limits.free_disk << 20) + " are needed (limits.free_disk)";
   }
 
-  /// Fills the free slots; returns how many games are running.
-  std::size_t start_workers() {
-    for (std::size_t slot = 0; slot < workers_.size(); ++slot) {
-      while (!workers_[slot] && faults_in_a_row_ < options_.most_faults_in_a_row) {
-        std::optional<Job> job = plan_.next();
-        if (!job) break;
-        start(slot, *std::move(job));
-      }
+  bool disk_is_full(std::int64_t bytes) const { return bytes < options_.limits.free_disk << 20; }
+
+  void check_disk_at_start() {
+    status_.free_disk = options_.free_bytes(folder_.path());
+    if (disk_is_full(status_.free_disk)) {
+      give_up(disk_sentence(status_.free_disk) + "; make room and start again");
     }
-    return running();
   }
 
-  void start(std::size_t slot, Job job) {
-    const std::string id = record::game_id(job.game.key);
-    const int cpu = workers_.size() <= cpus_.size() ? cpus_[slot] : cpus_[slot % cpus_.size()];
-    record::Attempt failed = attempt_of(job);
+  /// No game is started on a full disk; running ones may end. Room may come back by itself.
+  void look_at_disk(Clock::time_point now) {
+    status_.free_disk = options_.free_bytes(folder_.path());
+    if (!disk_is_full(status_.free_disk)) {
+      if (waiting_for_disk_) progress_.say("there is room on the disk again: going on");
+      waiting_for_disk_.reset();
+    } else if (!waiting_for_disk_) {
+      waiting_for_disk_ = now;
+      progress_.say(disk_sentence(status_.free_disk) + ": no game is started until there is more");
+    } else if (now - *waiting_for_disk_ > options_.disk_patience && crew_.running() == 0) {
+      give_up(disk_sentence(status_.free_disk) + "; make room and start again, nothing is lost");
+    }
+  }
+
+  /// Ends the run with an error of the storage, leaving everything in order.
+  [[noreturn]] void give_up(const std::string& sentence) {
+    crew_.end();
+    progress_.clear();
+    state_ = "storage-trouble";
+    status_.reason = sentence;
+    write_status();
+    throw record::StorageError(sentence);
+  }
+
+  // --- games
+
+  bool may_start() const { return !signal_ && !waiting_for_disk_ && !breaker_.tripped(); }
+
+  /// Fills the free places; returns how many games are running.
+  std::size_t start_games() {
+    while (crew_.has_room() && may_start() && (start_audit() || start_game())) {
+    }
+    return crew_.running();
+  }
+
+  bool start_game() {
+    std::optional<Job> job = plan_.next();
+    if (!job) return false;
+    check_programs();
+    const std::string id = record::game_id(job->game.key);
+    const std::filesystem::path place = folder_.game(id, job->attempt);
+    const bool sampled = is_sampled(job->game.key);
+    record::MatchConfig& config = job->game.config;
+    // Everything is recorded, since nobody knows beforehand which game will need it; packing is for few.
+    if (options_.record) config.recording = place / (sampled ? "game.replies.gz" : "game.replies");
+    if (sampled) config.log = place / "game.log.gz";
+    record::Attempt failed = attempt_of(*job);
+    failed.started = options_.date();
     try {
-      workers_[slot] =
-          std::make_unique<Worker>(options_.worker_command, options_.limits, static_cast<int>(slot), cpu,
-                                   std::move(job), folder_.game(id, failed.attempt));
+      crew_.start(Purpose::Schedule, *std::move(job), place, options_.date());
     } catch (const std::runtime_error& error) {
       failed.record.reason = worker_problem(error);
-      failed.started = utc_now();
       keep(failed);
+    }
+    return true;
+  }
+
+  bool is_sampled(const record::GameKey& key) const {
+    return sampling_number(experiment_, key) < std::max(options_.limits.sampled, options_.limits.audited);
+  }
+
+  /// A night of two halves by different programs is no experiment.
+  void check_programs() {
+    if (const auto changed = programs_.changed()) {
+      give_up("program " + changed->string() +
+              " was changed while the experiment ran: games with the new one belong to another experiment; "
+              "restore it and start again, or give another --out");
     }
   }
 
   void collect() {
-    for (auto& worker : workers_) {
-      if (!worker) continue;
-      if (const auto attempt = worker->poll()) {
-        worker.reset();
-        keep(*attempt);
+    for (Crew::Ended& ended : crew_.collect()) {
+      strays_ += ended.strays;
+      if (ended.strays > 0) {
+        progress_.say(record::game_id(ended.attempt.key) + ": " + processes(ended.strays) +
+                      " left behind, ended");
+      }
+      if (ended.purpose == Purpose::Audit) {
+        audit_ended(ended);
+      } else if (signal_ && ended.attempt.record.termination == record::Termination::Interrupted) {
+        // Whoever told us to end has told the worker too: cut short, no row, played again.
+      } else {
+        check_programs();  // with the new one the game may have begun
+        time_left_.add(ended.seconds);
+        keep(ended.attempt);
       }
     }
   }
 
-  /// The only place that writes the ledger.
+  /// The only place that writes games into the ledger.
   void keep(const record::Attempt& attempt) {
     ledger_.add(attempt);
     plan_.add(attempt);
-    if (attempt.record.at_fault == record::Party::Nobody) folder_.forget_game(record::game_id(attempt.key));
-    const bool is_void = record::outcome(attempt.record) == record::Outcome::Void;
-    faults_in_a_row_ = is_void ? faults_in_a_row_ + 1 : 0;
+    breaker_.add(attempt);
+    count(attempt);
+    ++status_.played;
+    const std::size_t gone = evidence_.ended(attempt, is_sampled(attempt.key));
+    if (gone > 0 && !told_of_evidence_) {
+      told_of_evidence_ = true;
+      progress_.say("the kept games fill " + mebibytes(options_.limits.kept_logs << 20) +
+                    " (limits.kept_logs): from now on the oldest go");
+    }
+    if (Audits::wanted(attempt, experiment_, options_.limits.audited)) audits_.add(attempt);
+    const std::vector<std::size_t> answered = stop_where_answered(attempt);
+    progress_.left(time_left_.estimate(plan_.total() - plan_.resolved(), crew_.places()));
     progress_.ended(attempt, plan_.resolved());
-  }
-
-  /// Games that are cut short leave no row: they are played again.
-  void end_workers() {
-    for (auto& worker : workers_) {
-      if (worker) worker->ask_to_end();
-    }
-    for (auto& worker : workers_) {
-      if (worker) worker->stop();
-      worker.reset();
+    for (const std::size_t question : answered) {
+      progress_.say(stopping::sentence(watch_.standings()[question], design_));
     }
   }
 
+  /// Games of questions that are answered are not started any more; those that are running end by themselves.
+  std::vector<std::size_t> stop_where_answered(const record::Attempt& attempt) {
+    if (design_.stopping.rule == schedule::StopRule::Fixed) return {};
+    const std::vector<std::size_t> answered = watch_.add(attempt);
+    for (const std::size_t question : answered) {
+      const stopping::Standing& standing = watch_.standings()[question];
+      for (const stopping::Question::Term& term : standing.question.terms) {
+        plan_.stop(design_.conditions[term.condition].name, standing.next_pair);
+      }
+    }
+    if (!answered.empty()) progress_.set_total(plan_.total(), plan_.resolved());
+    return answered;
+  }
+
+  void count(const record::Attempt& attempt) {
+    const bool is_void = record::outcome(attempt.record) == record::Outcome::Void;
+    status_.voids += is_void ? 1 : 0;
+    status_.forfeits += !is_void && attempt.record.at_fault != record::Party::Nobody ? 1 : 0;
+    if (attempt.record.termination == record::Termination::Finished) hashes_.insert(attempt.record.hash);
+  }
+
+  // --- audits
+
+  void take_audits_up_again() {
+    std::set<std::pair<record::GameKey, int>> done;
+    for (const record::Audit& audit : audited_) done.insert({audit.key, audit.attempt});
+    for (const record::Attempt& attempt : before_) {
+      const bool wanted = Audits::wanted(attempt, experiment_, options_.limits.audited);
+      if (wanted && !done.contains({attempt.key, attempt.attempt})) audits_.add(attempt);
+    }
+  }
+
+  bool start_audit() {
+    std::optional<AuditStep> step = audits_.next();
+    if (!step) return false;
+    check_programs();
+    const std::string id = record::game_id(step->original.key);
+    try {
+      const std::size_t slot =
+          crew_.start(Purpose::Audit, audit_job(design_, *step, folder_), folder_.audit(id), options_.date());
+      steps_[slot] = std::move(step);
+    } catch (const std::runtime_error& error) {
+      record::MatchRecord failed;  // of the harness, as it is made
+      failed.reason = worker_problem(error);
+      take_audit(*step, failed);
+    }
+    return true;
+  }
+
+  void audit_ended(const Crew::Ended& ended) {
+    const AuditStep step = *steps_[ended.slot];
+    steps_[ended.slot].reset();
+    if (signal_ && ended.attempt.record.termination == record::Termination::Interrupted) return;
+    folder_.forget_audit(record::game_id(step.original.key));
+    take_audit(step, ended.attempt.record);
+  }
+
+  void take_audit(const AuditStep& step, const record::MatchRecord& record) {
+    const std::string id = record::game_id(step.original.key);
+    const bool replies = kept_replies(folder_.game(id, step.original.attempt)).has_value();
+    if (const auto audit = audits_.ended(step, record, replies)) {
+      ledger_.add(*audit);
+      audited_.push_back(*audit);
+    }
+  }
+
+  // --- before, meanwhile, afterwards
+
+  /// Short games between the programs; false when the night must not begin.
+  bool preflight(RunResult& result) {
+    state_ = "preflight";
+    std::vector<PreflightGame> games = preflight_games(design_);
+    constexpr std::size_t times = 2;
+    std::vector<std::size_t> playing(crew_.places());
+    for (std::size_t begun = 0, ended_games = 0; ended_games < times * games.size();) {
+      while (crew_.has_room() && begun < times * games.size()) {
+        const std::filesystem::path place = folder_.preflight() / std::to_string(begun);
+        try {
+          playing[crew_.start(Purpose::Preflight, games[begun / times].job, place, options_.date())] =
+              begun / times;
+        } catch (const std::runtime_error& error) {
+          record::MatchRecord failed;
+          failed.reason = worker_problem(error);
+          games[begun / times].records.push_back(failed);
+          ++ended_games;
+        }
+        ++begun;
+      }
+      if (const auto signal = signals_.wait(look)) {
+        crew_.end();
+        result.ending = Ending::Interrupted;
+        result.signal = *signal;
+        return false;
+      }
+      for (Crew::Ended& ended : crew_.collect()) {
+        games[playing[ended.slot]].records.push_back(std::move(ended.attempt.record));
+        ++ended_games;
+      }
+      keep_house();
+    }
+    for (const PreflightGame& game : games) {
+      const PreflightFinding finding = judged(game);
+      if (finding.failed) {
+        result.ending = Ending::PreflightFailed;
+        status_.reason = "a short game before the first one failed: " + finding.sentence;
+        progress_.say(status_.reason + "; what the programs printed is in " + folder_.preflight().string());
+        return false;
+      }
+      if (!finding.sentence.empty()) progress_.say(finding.sentence);
+    }
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_.preflight(), ignored);
+    return true;
+  }
+
+  void drain(int signal) {
+    signal_ = signal;
+    state_ = "draining";
+    const std::size_t games = crew_.running();
+    if (games == 0) return;
+    progress_.say("ending: " + std::to_string(games) + (games == 1 ? " game is" : " games are") +
+                  " played to the end; the same signal again stops at once");
+  }
+
+  void keep_house() {
+    const Clock::time_point now = Clock::now();
+    progress_.tick(crew_.running());
+    if (now - house_kept_ < options_.housekeeping) return;
+    house_kept_ = now;
+    look_at_disk(now);
+    if (const auto complaint = refresher_.look(now)) progress_.say(*complaint);
+    std::vector<pid_t> held = crew_.pids();
+    if (refresher_.pid() >= 0) held.push_back(refresher_.pid());
+    leftovers_.reap(held);
+    write_status();
+  }
+
+  void write_status() {
+    status_.state = waiting_for_disk_ ? "waiting-for-disk" : state_;
+    status_.updated = options_.date();
+    status_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    status_.games = plan_.total();
+    status_.resolved = plan_.resolved();
+    status_.given_up_pairs = plan_.given_up_pairs();
+    status_.distinct = hashes_.size();
+    status_.audited = audited_.size();
+    status_.audits_that_differ =
+        static_cast<std::size_t>(std::count_if(audited_.begin(), audited_.end(), [](const auto& audit) {
+          return audit.verdict != record::Verdict::Same && audit.verdict != record::Verdict::Failed;
+        }));
+    status_.strays = strays_;
+    status_.left = time_left_.estimate(plan_.total() - plan_.resolved(), crew_.places());
+    status_.memory = process::resident_memory(::getpid());
+    status_.open_files = open_files();
+    status_.kept_files = evidence_.size();
+    status_.running = crew_.games();
+    runner::write_status(folder_.status(), status_);
+  }
+
+  RunResult finish(const RunResult& result) {
+    progress_.clear();
+    if (result.ending == Ending::TooManyFaults) {
+      status_.reason = breaker_.tripped()
+                           ? *breaker_.tripped() + ": stopped"
+                           : std::to_string(plan_.given_up_pairs()) + " pairs were given up after " +
+                                 std::to_string(record::max_attempts) + " void attempts each";
+      progress_.say(status_.reason + "; the reasons are in " + folder_.ledger().string() +
+                    " and the logs in " + (folder_.path() / "games").string());
+    }
+    if (const std::size_t found = leftovers_.end(); found > 0) {
+      strays_ += found;
+      progress_.say(processes(found) + " of the games " + (found == 1 ? "was" : "were") +
+                    " still there at the end and had to be ended");
+    }
+    if (!audited_.empty()) progress_.say(audit_summary(audited_));
+    switch (result.ending) {
+      case Ending::Done:
+        state_ = "done";
+        break;
+      case Ending::PreflightFailed:
+        state_ = "preflight-failed";
+        break;
+      case Ending::TooManyFaults:
+        state_ = "too-many-faults";
+        break;
+      case Ending::Interrupted:
+        state_ = "interrupted";
+        break;
+    }
+    waiting_for_disk_.reset();
+    write_status();
+    if (const auto complaint = refresher_.last()) progress_.say(*complaint);
+    return result;
+  }
+
+  const schedule::Design& design_;
   const RunOptions& options_;
   const ResultFolder& folder_;
   record::Ledger& ledger_;
+  std::string experiment_;  ///< its hash
   std::vector<record::Attempt> before_;
+  std::vector<record::Audit> audited_;
   Plan plan_;
+  stopping::Watch watch_;
   Progress progress_;
+  Breaker breaker_;
+  Evidence evidence_;
+  ProgramWatch programs_;
   Signals signals_;
-  std::vector<int> cpus_;
-  std::vector<std::unique_ptr<Worker>> workers_;  ///< by slot; null: free
-  int faults_in_a_row_ = 0;
+  Leftovers leftovers_;  ///< goes after the crew, whatever happens
+  Crew crew_;
+  std::vector<std::optional<AuditStep>> steps_;  ///< by place: what is being audited there
+  Audits audits_;
+  Refresher refresher_;
+  TimeLeft time_left_;
+  Status status_;
+  std::string state_ = "starting";
+  std::set<std::string> hashes_;  ///< of finished games
+  std::size_t strays_ = 0;
+  bool told_of_evidence_ = false;
+  std::optional<int> signal_;  ///< the first that came
+  std::optional<Clock::time_point> waiting_for_disk_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point house_kept_{};
 };
 
 }  // namespace
@@ -175,19 +522,8 @@ RunResult run(const schedule::Design& design, const RunOptions& options, std::os
     write_manifest(folder.manifest(),
                    {hash, design, files, options.version, options.protocol, options.command_line});
   }
-
-  Run running(design, options, folder, ledger, progress);
-  const RunResult result = running.play();
-  if (result.ending == Ending::TooManyFaults) {
-    const std::size_t given_up = running.plan().given_up_pairs();
-    progress << (running.plan().resolved() < running.plan().total()
-                     ? std::to_string(options.most_faults_in_a_row) + " games in a row were void: stopped"
-                     : std::to_string(given_up) + " pairs were given up after " +
-                           std::to_string(record::max_attempts) + " void attempts each")
-             << "; the reasons are in " << folder.ledger().string() << " and the logs in "
-             << (folder.path() / "games").string() << std::endl;
-  }
-  return result;
+  Run running(design, options, folder, ledger, files, progress);
+  return running.play();
 }
 
 }  // namespace runner

@@ -6,8 +6,11 @@
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
-#include "experiments/schedule/command_line.h"
+#include "experiments/schedule/nearest.h"
+#include "experiments/schedule/run_reader.h"
+#include "experiments/schedule/team_reader.h"
 #include "experiments/schedule/toml_reader.h"
 #include "sim/world/rules/rule_set.h"
 
@@ -18,6 +21,9 @@ constexpr std::int64_t most_pairs = 100'000;  // ours: two hundred thousand game
 // Two halves, each with the longest overrun, must stay below the host's 40 minutes (DESIGN, "Clock").
 constexpr double longest_half = 1'100;  // [s]
 constexpr std::int64_t most_forfeit_goals = 100;
+constexpr std::size_t most_conditions = 1'000;  // ours: a grid of more is a slip of the pen
+
+constexpr std::string_view only_condition = "base";
 
 constexpr const char* name_hint = "use letters, digits, '-', '_' and '.' only, since it names files";
 
@@ -41,75 +47,9 @@ template <class Names>
 void check_known(const TomlTable& table, const std::string& key, const std::string& value,
                  const Names& known) {
   if (std::find(known.begin(), known.end(), value) == known.end()) {
-    table.reject(key, "there is no such one; known are: " + listed(known));
+    table.reject(key, "there is no such one" + did_you_mean(value, {known.begin(), known.end()}) +
+                          "; known are: " + listed(known));
   }
-}
-
-void read_robots(TomlTable& table, record::TeamConfig& team, std::size_t most) {
-  const auto numbers = table.integers("robots");
-  if (!numbers) return;
-  if (numbers->empty() || numbers->size() > most) {
-    table.reject("robots", "must name 1 to " + std::to_string(most) + " robots");
-  }
-  team.robots.clear();
-  for (const std::int64_t number : *numbers) {
-    if (number < 0 || number > world::max_robot_number) {
-      table.reject("robots", "robots have numbers from 0 to " + std::to_string(world::max_robot_number));
-    }
-    const int robot = static_cast<int>(number);
-    if (std::find(team.robots.begin(), team.robots.end(), robot) != team.robots.end()) {
-      table.reject("robots", "names robot " + std::to_string(robot) + " twice");
-    }
-    team.robots.push_back(robot);
-  }
-}
-
-/// Reads what the table says about a team over what `team` says already.
-void read_team(TomlTable& table, record::TeamConfig& team, std::size_t most_robots) {
-  if (table.is_text("command")) {
-    try {
-      team.command = split_command(*table.text("command"));
-    } catch (const std::invalid_argument& error) {
-      table.reject("command", error.what());
-    }
-  } else if (auto words = table.texts("command")) {
-    if (words->empty() || words->front().empty()) table.reject("command", "must begin with a program");
-    team.command = std::move(*words);
-  }
-  if (const auto name = table.text("name")) {
-    if (name->empty() || name->find('\n') != std::string::npos)
-      table.reject("name", "must be one line of text");
-    team.name = *name;
-  }
-  read_robots(table, team, most_robots);
-  if (const auto factor = table.number("speed_factor")) {
-    if (!(*factor > 0 && *factor <= 1)) table.reject("speed_factor", "must be above 0 and at most 1");
-    team.speed_factor = *factor;
-  }
-}
-
-/// One of [teams.a] and [teams.b].
-record::TeamConfig base_team(TomlTable& teams, const std::string& key, std::size_t most_robots) {
-  auto table = teams.table(key);
-  if (!table) teams.missing(key, "give both teams, as [teams.a] and [teams.b] with a command each");
-  record::TeamConfig team;
-  read_team(*table, team, most_robots);
-  if (team.command.empty()) table->missing("command", "as command = [\"team-reference\"]");
-  if (team.name.empty()) team.name = std::filesystem::path(team.command.front()).filename().string();
-  table->finish();
-  return team;
-}
-
-/// What a condition changes of one team.
-void override_team(TomlTable& condition, const std::string& key, record::TeamConfig& team,
-                   std::size_t most_robots) {
-  auto table = condition.table(key);
-  if (!table) return;
-  read_team(*table, team, most_robots);
-  if (const auto arguments = table->texts("arguments")) {
-    team.command.insert(team.command.end(), arguments->begin(), arguments->end());
-  }
-  table->finish();
 }
 
 /// `realism = "harsh"`, or a table [realism] with `preset = "harsh"` and numbers by their keys; over
@@ -139,29 +79,135 @@ void read_realism(TomlTable& root, const CheckRealism& check, record::RealismCon
   });
 }
 
-void read_conditions(TomlTable& root, const record::TeamConfig& a, const record::TeamConfig& b,
-                     std::size_t most_robots, const CheckRealism& check, Design& design) {
-  auto tables = root.tables("conditions");
-  if (!tables) {
-    design.conditions.push_back({"base", a, b, design.realism});
-    return;
-  }
-  if (tables->empty())
-    root.reject("conditions", "must have at least one, as [[conditions]]; or leave it out");
-  for (TomlTable& table : *tables) {
-    Condition condition{"", a, b, design.realism};
-    const auto name = table.text("name");
-    if (!name) table.missing("name", "give every condition a name of its own");
-    if (!names_files(*name)) table.reject("name", name_hint);
-    for (const Condition& other : design.conditions) {
-      if (other.name == *name) table.reject("name", "another condition has that name already");
+/// What conditions are made from.
+struct Setting {
+  Team a;
+  Team b;
+  std::size_t most_robots;
+  const CheckRealism& check;
+};
+
+/// What `table` says of a condition, over the teams and realism of the design.
+Condition read_condition(TomlTable& table, const Setting& setting, const Design& design) {
+  Team a = setting.a;
+  Team b = setting.b;
+  Condition condition;
+  condition.realism = design.realism;
+  const auto name = table.text("name");
+  if (!name) table.missing("name", "give every condition and sweep a name of its own");
+  if (!names_files(*name)) table.reject("name", name_hint);
+  condition.name = *name;
+  change_team(table, "a", a, setting.most_robots);
+  change_team(table, "b", b, setting.most_robots);
+  read_realism(table, setting.check, condition.realism);
+  table.finish();
+  condition.a = a.config;
+  condition.b = b.config;
+  condition.a_source = a.source;
+  condition.b_source = b.source;
+  return condition;
+}
+
+void add_condition(const TomlTable& table, const std::string& key, Condition condition, Design& design) {
+  for (const Condition& other : design.conditions) {
+    if (other.name == condition.name) {
+      table.reject(key, "another condition has the name '" + condition.name + "' already");
     }
-    condition.name = *name;
-    override_team(table, "a", condition.a, most_robots);
-    override_team(table, "b", condition.b, most_robots);
-    read_realism(table, check, condition.realism);
-    table.finish();
-    design.conditions.push_back(std::move(condition));
+  }
+  if (design.conditions.size() >= most_conditions) {
+    table.reject(key, "makes more than " + std::to_string(most_conditions) + " conditions");
+  }
+  design.conditions.push_back(std::move(condition));
+}
+
+void read_conditions(TomlTable& root, const Setting& setting, Design& design) {
+  auto tables = root.tables("conditions");
+  if (!tables) return;
+  if (tables->empty()) {
+    root.reject("conditions", "must have at least one, as [[conditions]]; or leave it out");
+  }
+  for (TomlTable& table : *tables) {
+    add_condition(table, "name", read_condition(table, setting, design), design);
+  }
+}
+
+/// A piece of a condition's name.
+std::string file_word(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return !names_files("x" + std::string(1, c)); }, '-');
+  return text;
+}
+
+/// One condition for each choice of an element from each list of the sweep, the last list running fastest.
+void read_sweep(TomlTable& table, const Setting& setting, Design& design) {
+  const std::vector<TomlAxis> axes = table.axes();
+  if (axes.empty()) {
+    if (table.has("name"))
+      table.reject("name", "sweeps nothing; give a list, as b.speed_factor = [0.3, 0.5, 0.7]");
+    table.missing("name", "give every condition and sweep a name of its own");
+  }
+  std::vector<std::size_t> at(axes.size(), 0);
+  for (bool more = true; more;) {
+    TomlTable point = table.point(at);
+    Condition condition = read_condition(point, setting, design);
+    condition.sweep = condition.name;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const TomlAxis::Element& element = axes[i].elements[at[i]];
+      condition.name += "-" + file_word(element.label);
+      std::string key = axes[i].name;
+      const std::size_t flags = key.find(".flags.");
+      if (flags != std::string::npos) key.erase(flags, std::string_view(".flags").size());
+      if (element.number) condition.values[key] = *element.number;
+    }
+    add_condition(table, "name", std::move(condition), design);
+    more = false;
+    for (std::size_t i = axes.size(); i-- > 0 && !more;) {
+      more = ++at[i] < axes[i].elements.size();
+      if (!more) at[i] = 0;
+    }
+  }
+}
+
+/// Writes a panel out: in the place of each condition A and B meet each opponent under it, in the same pairs.
+void read_panel(TomlTable& root, const Setting& setting, Design& design) {
+  auto panel = root.table("panel");
+  if (!panel) return;
+  const bool head_to_head = panel->boolean("head_to_head").value_or(false);
+  auto opponents = panel->tables("opponents");
+  if (!opponents || opponents->empty()) {
+    panel->missing("opponents", "give each opponent of A and B as [[panel.opponents]]");
+  }
+  const std::vector<Condition> bases = std::exchange(design.conditions, {});
+  const bool named = bases.size() > 1 || bases.front().name != only_condition;
+  std::vector<Team> teams;
+  for (TomlTable& table : *opponents) {
+    Team team = read_team(table, setting.most_robots);
+    if (!names_files(team.config.name))
+      table.has("name") ? table.reject("name", name_hint) : table.missing("name", name_hint);
+    teams.push_back(std::move(team));
+  }
+  panel->finish();
+  for (const Condition& base : bases) {
+    const std::string prefix = named ? base.name + "-" : "";
+    if (head_to_head) {
+      Condition direct = base;
+      direct.name = prefix + "a-vs-b";
+      add_condition(root, "panel", std::move(direct), design);
+    }
+    for (const Team& team : teams) {
+      for (const char arm : {'a', 'b'}) {
+        Condition condition = base;
+        condition.name = prefix + std::string(1, arm) + "-vs-" + team.config.name;
+        condition.panel = PanelPlace{base.name, team.config.name, arm};
+        if (arm == 'b') {
+          condition.a = base.b;
+          condition.a_source = base.b_source;
+        }
+        condition.b = team.config;
+        condition.b_source = team.source;
+        add_condition(root, "panel", std::move(condition), design);
+      }
+    }
   }
 }
 
@@ -232,14 +278,30 @@ Design parse_design(const std::string& text, const std::string& file, const Chec
     if (*goals < 1 || *goals > most_forfeit_goals) root.reject("forfeit_goals", "must be from 1 to 100");
     design.forfeit_goals = static_cast<int>(*goals);
   }
+  design.stopping = read_stopping(root, design.pairs);
+  design.limits = read_limits(root);
 
   const auto most_robots = static_cast<std::size_t>(world::rule_set(design.rules).robots_per_team);
   auto teams = root.table("teams");
   if (!teams) root.missing("teams", "give both teams, as [teams.a] and [teams.b] with a command each");
-  const record::TeamConfig a = base_team(*teams, "a", most_robots);
-  const record::TeamConfig b = base_team(*teams, "b", most_robots);
+  const auto base_team = [&](const char* key) {
+    auto table = teams->table(key);
+    if (!table) teams->missing(key, "give both teams, as [teams.a] and [teams.b] with a command each");
+    return read_team(*table, most_robots);
+  };
+  Team a = base_team("a");
+  Team b = base_team("b");
+  const Setting setting{std::move(a), std::move(b), most_robots, check};
   teams->finish();
-  read_conditions(root, a, b, most_robots, check, design);
+  read_conditions(root, setting, design);
+  if (auto sweeps = root.tables("sweeps")) {
+    for (TomlTable& sweep : *sweeps) read_sweep(sweep, setting, design);
+  }
+  if (design.conditions.empty()) {
+    design.conditions.push_back({std::string(only_condition), setting.a.config, setting.b.config,
+                                 design.realism, setting.a.source, setting.b.source});
+  }
+  read_panel(root, setting, design);
   root.finish();
   return design;
 }

@@ -3,13 +3,33 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/record/match_config.h"
+#include "experiments/schedule/limits.h"
+#include "experiments/schedule/stopping.h"
 
 namespace schedule {
+
+/// Where a team that is built from git comes from; its command is seen from the top of the checkout.
+struct Source {
+  std::string repository;  ///< path or address, as git takes it
+  std::string revision;    ///< branch, tag or commit, as the design says it
+  std::string build;       ///< for the shell, in the checkout; empty: nothing is to be built
+  std::string commit{};    ///< 40 hexadecimal digits once `builds` has looked it up
+  bool operator==(const Source&) const = default;
+};
+
+/// A game of a panel: A or B against one of several opponents, which stands where B stands otherwise.
+struct PanelPlace {
+  std::string base;      ///< the condition that is played against the panel
+  std::string opponent;  ///< its name
+  char arm = 'a';        ///< who meets it: 'a' or 'b'
+  bool operator==(const PanelPlace&) const = default;
+};
 
 /// What is varied: team A and team B as they play under this condition.
 struct Condition {
@@ -17,6 +37,11 @@ struct Condition {
   record::TeamConfig a;
   record::TeamConfig b;
   record::RealismConfig realism{};
+  std::optional<Source> a_source{};
+  std::optional<Source> b_source{};
+  std::string sweep{};                     ///< the sweep it is a point of; empty: none
+  std::map<std::string, double> values{};  ///< of a sweep: what is varied, by its key ("b.speed_factor")
+  std::optional<PanelPlace> panel{};
   bool operator==(const Condition&) const = default;
 };
 
@@ -25,14 +50,16 @@ struct Design {
   std::string name;
   std::string description;
   std::uint64_t seed = 1;
-  int pairs = 1;  ///< per condition; a pair is two games with the colours exchanged
+  int pairs = 1;  ///< per condition, the most if `stopping` says so; a pair is two games, colours exchanged
   std::string rules = "ssl-2015";
   std::optional<double> half_length;  ///< [s] instead of the rule set's
   bool winner = false;                ///< a draw is followed by extra time and a shoot-out
   record::RealismConfig realism;      ///< where a condition has no other
   int forfeit_goals = 3;              ///< a game lost at the table counts 0 to this
-  std::vector<Condition> conditions;
-  std::string text;  ///< the file as it was read
+  Stopping stopping;
+  Limits limits;
+  std::vector<Condition> conditions;  ///< sweeps and panel written out
+  std::string text;                   ///< the file as it was read
 };
 
 /// Says what is wrong with a realism by throwing std::invalid_argument; this folder does not know the engine.

@@ -1,5 +1,6 @@
 #include "experiments/stats/distributions.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -74,6 +75,36 @@ double t_quantile(double p, double freedom) {
     (t_cdf(middle, freedom) > p ? high : low) = middle;
   }
   return (low + high) / 2;
+}
+
+double chi_square_cdf(double x, double freedom) {
+  assert(x >= 0 && freedom > 0);
+  if (x == 0) return 0;
+  const double a = freedom / 2;
+  const double z = x / 2;
+  const double front = std::exp(a * std::log(z) - z - std::lgamma(a));
+  constexpr double precision = 1e-16;
+  constexpr int most_terms = 10'000;  // about sqrt(a) are needed near z = a
+  if (z < a + 1) {
+    double term = 1 / a;
+    double sum = term;
+    for (int n = 1; n <= most_terms && term > sum * precision; ++n) sum += term *= z / (a + n);
+    return std::min(1.0, front * sum);
+  }
+  constexpr double tiny = 1e-300;
+  double b = z + 1 - a;
+  double c = 1 / tiny;
+  double d = 1 / b;
+  double fraction = d;
+  for (int n = 1; n <= most_terms; ++n) {
+    const double step = -n * (n - a);
+    b += 2;
+    d = 1 / (step * d + b);
+    c = b + step / c;
+    fraction *= c * d;
+    if (std::abs(c * d - 1) < precision) break;
+  }
+  return 1 - front * fraction;
 }
 
 }  // namespace stats

@@ -32,4 +32,12 @@ double t_quantile(double p, double freedom);
 /// Source  NIST Digital Library of Mathematical Functions, 8.17.22
 double incomplete_beta(double x, double a, double b);
 
+/// P(X <= x) of the chi-square distribution: the regularised incomplete gamma function P(k/2, x/2).
+///
+/// Series below x = k + 2, continued fraction (Lentz) above.
+///
+/// @pre x >= 0, freedom > 0
+/// Source  NIST Digital Library of Mathematical Functions, 8.11.4 and 8.9.2
+double chi_square_cdf(double x, double freedom);
+
 }  // namespace stats

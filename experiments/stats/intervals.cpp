@@ -27,7 +27,8 @@ Mean mean_of(std::span<const double> values) {
   result.count = static_cast<std::int64_t>(values.size());
   if (values.empty()) return result;
   const double n = static_cast<double>(values.size());
-  for (const double value : values) result.mean += value / n;
+  for (const double value : values) result.mean += value;  // exact for goals
+  result.mean /= n;
   if (values.size() < 2) return result;
   double squares = 0;
   for (const double value : values) squares += (value - result.mean) * (value - result.mean);

@@ -38,6 +38,7 @@ class Looker {
   static constexpr std::size_t history = 8;  // replies kept: the longest delay known is 3 ticks ("harsh")
 
   void predict_own(Robot& robot, world::Time from) const;
+  Vector2d steadied(const Vector2d& velocity);
   void watch_ball_speed(const world::TrackedFrame& frame);
 
   Setup setup_;
@@ -47,6 +48,7 @@ class Looker {
   std::array<std::array<Sent, world::max_robot_number + 1>, history> sent_{};
   double rolls_below_ = 0;
   double speed_before_ = 0;
+  double ball_direction_ = 0;  // [rad] field frame
   bool was_flipped_ = false;
 };
 

@@ -29,7 +29,7 @@ void ReferenceTeam::play(const kit::View& real, world::TeamCommands& out) {
   notice_phase(view);
   const Situation& situation = observer_.observe(view);
   give_out_roles(view, situation);
-  supports_tactic_.think(view, situation, roles_, parameters_);
+  supports_tactic_.think(view, situation, roles_, parameters_, winner_.choice());
   for (const kit::Robot& robot : view.own) {
     skills::Order& order = orders_[robot.number];
     order = order_for(view, situation, robot);

@@ -67,7 +67,7 @@ std::optional<Vector2d> set_play_place(const kit::View& view, int index, int cou
 
 Vector2d set_play_target(const kit::View& view, const Vector2d& place) {
   // The kickoff goes into their half, where the runner meets it.
-  if (set_play(view) == SetPlay::Kickoff) return {0.25, place.y()};
+  if (set_play(view) == SetPlay::Kickoff) return {0.1, place.y()};
   return place;
 }
 

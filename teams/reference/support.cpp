@@ -46,7 +46,7 @@ void Supports::plan_zones(const kit::View& view, std::span<const kit::Robot* con
 }
 
 void Supports::think(const kit::View& view, const Situation& situation, const Roles& roles,
-                     const Parameters& parameters) {
+                     const Parameters& parameters, const std::optional<Kick>& coming) {
   target_count_ = 0;
   anchor_ = anchor_of(view.field(), view.ball.position.x(), anchor_);
   partition_ = Partition(view.field(), anchor_);
@@ -80,21 +80,23 @@ void Supports::think(const kit::View& view, const Situation& situation, const Ro
     const kit::Robot& robot = *robots[i];
     Member& member = of(robot.number);
     member.set_place = set_play_place(view, static_cast<int>(i), static_cast<int>(count));
-    const Chooser chooser{&robot, kick_time, member.place.grid};
+    member.expected = coming && coming->kind == Kick::Kind::Pass && coming->receiver == robot.number;
+    const Chooser waiting{&robot, kick_time, member.place.grid};
+    const Chooser receiving{&robot, kick_time, member.expected ? member.target.grid : -1};
     if (member.place.grid < 0 || (view.tick + 2 * robot.number) % think_every == 0) {
       if (zones) {
         const Zone zone{member.zone / 3, member.zone % 3 - 1};
-        member.place = best_in_zone(map_, zone, chooser);
-        member.target = best_in_zone(map_, zone, {&robot, kick_time, -1}).position;
+        member.place = best_in_zone(map_, zone, waiting);
+        member.target = best_in_zone(map_, zone, receiving);
       } else {
-        member.place = best_anywhere(map_, std::span(taken.data(), taken_count), chooser);
-        member.target = member.place.position;
+        member.place = best_anywhere(map_, std::span(taken.data(), taken_count), waiting);
+        member.target = member.place;
       }
     }
     if (member.set_place) {
       targets_[target_count_++] = {robot.number, set_play_target(view, *member.set_place)};
-    } else if (member.place.grid >= 0) {
-      targets_[target_count_++] = {robot.number, member.target};
+    } else if (member.place.grid >= 0 && set_play(view) != SetPlay::Kickoff) {
+      targets_[target_count_++] = {robot.number, member.target.position};
       taken[taken_count++] = member.place.position;
     }
   }
@@ -114,12 +116,13 @@ skills::Order Supports::play(const kit::View& view, const kit::Robot& robot) con
   } else if (member.place.grid >= 0) {
     // Pass ahead: not on the place itself but as far from it as the time of the pass lets it come
     // (reference "football", 2.6: a receiver that stands is marked).
-    order.target = member.place.position;
+    const Place& place = member.expected && member.target.grid >= 0 ? member.target : member.place;
+    order.target = place.position;
     const Vector2d back = robot.position - order.target;
     const double distance = back.norm();
-    const double ahead = std::min(
-        {way_in(std::max(0.0, member.place.ball_time - late_start), skills::driving_limits(robot.specs)),
-         most_ahead, distance});
+    const double ahead =
+        std::min({way_in(std::max(0.0, place.ball_time - late_start), skills::driving_limits(robot.specs)),
+                  most_ahead, distance});
     if (distance > 1e-6) order.target += back * (ahead / distance);
   }
   return order;

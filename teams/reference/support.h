@@ -21,8 +21,10 @@ namespace reference {
 class Supports {
  public:
   /// Chooses places and targets of this tick for the robots with the role Support.
+  ///
+  /// @param coming  what the robot at the ball is about to do: the receiver of a pass goes to meet it
   void think(const kit::View& view, const Situation& situation, const Roles& roles,
-             const Parameters& parameters);
+             const Parameters& parameters, const std::optional<Kick>& coming = {});
 
   skills::Order play(const kit::View& view, const kit::Robot& robot) const;
 
@@ -31,11 +33,12 @@ class Supports {
 
  private:
   struct Member {
-    Place place;                         // where it waits
-    int zone = -1;                       // index_of its zone; -1: none
-    bool support = false;                // had the role in the tick before
-    std::optional<Vector2d> set_place;   // [m] of a set play
-    Vector2d target = Vector2d::Zero();  // [m] where a pass may meet it
+    Place place;                        // where it waits
+    Place target;                       // where a pass may meet it
+    bool expected = false;              // that pass is being prepared
+    int zone = -1;                      // index_of its zone; -1: none
+    bool support = false;               // had the role in the tick before
+    std::optional<Vector2d> set_place;  // [m] of a set play
   };
   Member& of(int number) { return members_[static_cast<std::size_t>(number)]; }
   const Member& of(int number) const { return members_[static_cast<std::size_t>(number)]; }

@@ -44,7 +44,6 @@ void Winner::choose(const kit::View& view, const Situation& situation, const kit
   if (robot_ != robot.number) {
     robot_ = robot.number;
     choice_.reset();
-    hold_start_.reset();
     redirect_.reset();
     released_at_ = -9;
     chosen_at_ = -1;
@@ -56,29 +55,29 @@ void Winner::choose(const kit::View& view, const Situation& situation, const kit
 
 // Contact begins when the ball comes to the dribbler and ends when it is clearly away from the robot, as the
 // laws count a dribble: a ball that only trembles at the bar is the same dribble.
-void Winner::watch_the_hold(const kit::View& view, const kit::Robot& robot) {
+// Kept for every robot: the role may go to another and come back during one dribble.
+void Winner::watch_the_holds(const kit::View& view) {
   const double ball_radius = view.field().ball_radius;
-  holds_ = kit::holds_ball(robot, view.ball, ball_radius);
-  const double away = (view.ball.position - robot.position).norm() - robot.specs.radius - ball_radius;
-  if (away > 0.05) hold_start_.reset();
-  if (!holds_) return;
-  if (!hold_start_) {
-    hold_start_ = view.ball.position;
-    holding_since_ = view.time;
-  } else if (view.time - last_contact_ > 0.2) {
-    holding_since_ = view.time;
+  for (const kit::Robot& robot : view.own) {
+    HoldWatch& watch = holds_[robot.number];
+    watch.now = kit::holds_ball(robot, view.ball, ball_radius);
+    const double away = (view.ball.position - robot.position).norm() - robot.specs.radius - ball_radius;
+    if (away > 0.05) watch.start.reset();
+    if (!watch.now) continue;
+    if (!watch.start || view.time - watch.last_contact > 0.2) watch.since = view.time;
+    if (!watch.start) watch.start = view.ball.position;
+    watch.last_contact = view.time;
   }
-  last_contact_ = view.time;
 }
 
 skills::Order Winner::play(const kit::View& view, const Situation& situation, const kit::Robot& robot,
                            const KickRules& rules, const Parameters& parameters) {
   choose(view, situation, robot, rules, parameters);
-  watch_the_hold(view, robot);
+  watch_the_holds(view);
   skills::Order order;
   if (rules.must_kick) {
     order = free_kick(view, robot);
-  } else if (holds_) {
+  } else if (holds_[robot.number].now) {
     order = with_ball(view, situation, robot, parameters);
   } else {
     order = fetch(view, situation, robot, rules, parameters);
@@ -113,7 +112,8 @@ skills::Order Winner::free_kick(const kit::View& view, const kit::Robot& robot) 
 skills::Order Winner::with_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot,
                                 const Parameters& parameters) {
   redirect_.reset();
-  const Hold hold{*hold_start_, view.time - holding_since_};
+  const HoldWatch& watch = holds_[robot.number];
+  const Hold hold{*watch.start, view.time - watch.since};
   const WithBall what = choose_with_ball(view, robot, *choice_, hold, situation.their_time, parameters);
   if (what == WithBall::Release) {
     if (view.time - released_at_ > go_round_for) released_at_ = view.time;

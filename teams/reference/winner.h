@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "teams/reference/choose_kick.h"
@@ -19,12 +20,12 @@ class Winner {
 
   /// What it is about to do: the one touch under way, else the choice.
   const std::optional<Kick>& choice() const { return redirect_ ? redirect_ : choice_; }
-  void forget() { choice_.reset(), pass_.reset(), hold_start_.reset(), redirect_.reset(), robot_ = -1; }
+  void forget() { choice_.reset(), pass_.reset(), holds_.fill({}), redirect_.reset(), robot_ = -1; }
 
  private:
   void choose(const kit::View& view, const Situation& situation, const kit::Robot& robot,
               const KickRules& rules, const Parameters& parameters);
-  void watch_the_hold(const kit::View& view, const kit::Robot& robot);
+  void watch_the_holds(const kit::View& view);
   skills::Order free_kick(const kit::View& view, const kit::Robot& robot) const;
   skills::Order with_ball(const kit::View& view, const Situation& situation, const kit::Robot& robot,
                           const Parameters& parameters);
@@ -47,10 +48,13 @@ class Winner {
   int robot_ = -1;
   std::optional<Kick> choice_;
   double chosen_at_ = -1;  // [s] match time
-  bool holds_ = false;
-  std::optional<Vector2d> hold_start_;  // [m] ball
-  double last_contact_ = -1;            // [s] match time, as all below
-  double holding_since_ = -1;
+  struct HoldWatch {
+    bool now = false;
+    std::optional<Vector2d> start{};  // [m] of the ball
+    double last_contact = -1;         // [s] match time, as all below
+    double since = -1;
+  };
+  std::array<HoldWatch, world::max_robot_number + 1> holds_{};
   double released_at_ = -9;
   std::optional<Kick> redirect_;  // the one touch under way
   double redirect_chosen_at_ = -1;

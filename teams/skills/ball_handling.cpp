@@ -157,7 +157,8 @@ Order kick_ahead(const kit::View& view, const kit::Robot& robot, double speed) {
   order.heading = robot.orientation;
   order.robot_margin = 0;
   const Vector2d ahead = world::direction(robot.orientation);
-  order.velocity = 0.3 * ahead;
+  // On with the speed it has: braking, the ball would roll out of the kicker's reach.
+  order.velocity = std::max(0.3, robot.velocity.dot(ahead) + 0.1) * ahead;
   order.dribble = true;
   order.kick_speed = speed;
   for (const kit::Robot& other : view.opponents) {

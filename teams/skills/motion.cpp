@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/world/time.h"
+
 namespace skills {
 
 Limits driving_limits(const world::RobotSpecs& specs, double share) {
@@ -141,6 +143,15 @@ Vector2d Drive::position(double time) const {
 
 Vector2d Drive::velocity(double time) const {
   return axis_ * along_.velocity(time) + Vector2d(-axis_.y(), axis_.x()) * across_.velocity(time);
+}
+
+Vector2d cross_track_velocity(const Vector2d& to_target, const Vector2d& velocity, const Vector2d& along,
+                              const Limits& limits) {
+  const auto axis = [&](const Vector2d& unit, double share) -> Vector2d {
+    const Limits part{limits.speed * share, limits.acceleration * share, limits.brake * share};
+    return unit * Profile(to_target.dot(unit), velocity.dot(unit), part).velocity(world::tick_length);
+  };
+  return axis(along, along_track_share) + axis({-along.y(), along.x()}, 0.85);
 }
 
 double travel_time(const Vector2d& to_target, const Vector2d& velocity, const Limits& limits) {

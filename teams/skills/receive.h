@@ -12,8 +12,10 @@ namespace skills {
 /// Where the ball will come to a robot that receives it: where it stands when it is on the ball's line, else
 /// where it meets the ball.
 ///
+/// @param facing  where it looks then [rad]; nothing: at the ball
 /// @return  nothing when the ball is slow, or at rest before it could be met: it is to be fetched
-std::optional<Meeting> arrival(const kit::View& view, const kit::Robot& robot, const kit::BallModel& model);
+std::optional<Meeting> arrival(const kit::View& view, const kit::Robot& robot, const kit::BallModel& model,
+                               std::optional<double> facing = {});
 
 /// Stands in the way of a moving ball, looking at it, dribbler on. Fetches a ball that does not come.
 Order receive(const kit::View& view, const kit::Robot& robot, const kit::BallModel& model);

@@ -45,6 +45,18 @@ constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK]
   not-numbers   sends speeds that are not finite
   ignore-term   stops answering at TICK, and ignores TERM
   fork-children starts processes of its own that sleep, then crashes at TICK
+  daemons       starts sleeping processes in sessions of their own, without parents, and plays on
+  exit-at-hello ends with code 4 when the host greets it
+  crash-at-end  plays, and crashes when it is told that the game is over
+  linger        plays, and stays when it is told that the game is over, ignoring TERM
+  future-tick   answers TICK with a number far ahead
+  two-answers   answers TICK twice, the second time with the number of the next one
+  no-reply      answers TICK with a message that is empty
+  endless       answers TICK with a length that never ends
+  cut           sends half of its answer to TICK, and no more
+  memory        takes 64 MiB more every tick from TICK on
+  burst         takes memory without end at TICK and does not answer
+  gigabytes     prints 64 MiB to standard output every tick
 )";
 
 struct Arguments {
@@ -73,6 +85,29 @@ Arguments parse(int count, char** values) {
 
 [[noreturn]] void hang() {
   while (true) ::pause();
+}
+
+void crash() {
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  ::signal(SIGSEGV, SIG_DFL);  // a sanitizer would turn the signal into an exit code
+  ::raise(SIGSEGV);
+}
+
+/// Takes 64 MiB for good, and uses them.
+void eat() {
+  static std::vector<std::string> eaten;
+  eaten.emplace_back(std::size_t{64} << 20, 'x');
+}
+
+/// Two processes that are in no group, session or family of ours.
+void start_daemons() {
+  for (int daemon = 0; daemon < 2; ++daemon) {
+    if (::fork() != 0) continue;
+    ::setsid();
+    if (::fork() != 0) ::_exit(0);
+    hang();
+  }
 }
 
 class Connection {
@@ -146,18 +181,30 @@ void misbehave(const Arguments& arguments, const Connection& host, wire::proto::
     ::signal(SIGTERM, SIG_IGN);
     hang();
   }
-  if (mode == "crash" || mode == "fork-children") {
-    const rlimit no_core{0, 0};
-    ::setrlimit(RLIMIT_CORE, &no_core);
-    ::signal(SIGSEGV, SIG_DFL);  // a sanitizer would turn the signal into an exit code
-    ::raise(SIGSEGV);
-  }
+  if (mode == "crash" || mode == "fork-children") crash();
   if (mode == "exit") std::exit(0);
   if (mode == "close") {
     host.close();
     hang();
   }
+  if (mode == "memory") eat();
+  if (mode == "burst") {
+    while (true) eat();
+  }
   if (mode == "wrong-tick") message.mutable_reply()->set_tick(message.reply().tick() - 1);
+  if (mode == "future-tick") message.mutable_reply()->set_tick(std::numeric_limits<std::int64_t>::max());
+  if (mode == "no-reply") message.Clear();
+  if (mode == "two-answers") {
+    host.send(message);
+    message.mutable_reply()->set_tick(message.reply().tick() + 1);
+  }
+  if (mode == "endless") host.send(std::string(64, '\xff'));
+  if (mode == "cut") {
+    std::string frame;
+    wire::append_frame(frame, message);
+    host.send(std::string_view(frame).substr(0, frame.size() / 2));
+    hang();
+  }
   if (mode == "nonsense") host.send(std::string("\x10") + std::string(16, '\xff'));
   if (mode == "huge") host.send(std::string("\x80\x80\x80\x01") + std::string(std::size_t{2} << 20, 'x'));
   if (mode == "flood") {
@@ -176,11 +223,14 @@ int play(const Arguments& arguments) {
       if (::fork() == 0) hang();
     }
   }
+  if (mode == "daemons") start_daemons();
+  if (mode == "linger") ::signal(SIGTERM, SIG_IGN);
 
   Connection host;
   if (mode == "no-hello") hang();
   wire::proto::HostMessage from_host;
   if (!host.receive(from_host) || !from_host.has_hello()) return 1;
+  if (mode == "exit-at-hello") return 4;
   const wire::proto::MatchHello hello = from_host.hello();
   wire::proto::TeamMessage to_host;
   to_host.mutable_hello()->set_protocol_version(mode == "old-version" ? 0 : wire::match_protocol_version);
@@ -190,7 +240,11 @@ int play(const Arguments& arguments) {
   host.send(to_host);
 
   while (host.receive(from_host)) {
-    if (from_host.has_goodbye()) return 0;
+    if (from_host.has_goodbye()) {
+      if (mode == "crash-at-end") crash();
+      if (mode == "linger") hang();
+      return 0;
+    }
     const std::int64_t tick = from_host.tick().tick();
     to_host.Clear();
     to_host.mutable_reply()->set_tick(tick);
@@ -201,6 +255,7 @@ int play(const Arguments& arguments) {
       control.mutable_robot_commands(0)->mutable_move_command()->mutable_local_velocity()->set_forward(
           std::numeric_limits<float>::quiet_NaN());
     }
+    if (mode == "gigabytes") std::cout << std::string(std::size_t{64} << 20, '.') << std::flush;
     if (mode == "slow") ::usleep(1000);
     if (mode == "chatter") std::cout << std::string(20'000, '.') << std::flush;
     if (tick >= arguments.at) misbehave(arguments, host, to_host);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -62,7 +63,8 @@ TEST_F(MatchdayProgram, TellsItsVersionAndExitCodes) {
   EXPECT_THAT(matchday("--version").text, StartsWith("matchday 0."));
   const Said help = matchday("--help");
   EXPECT_EQ(help.code, 0);
-  for (const char* word : {"play", "run", "report", "replay", "bench", "Exit codes: 0 done"}) {
+  for (const char* word :
+       {"play", "plan", "run", "compare", "report", "replay", "bench", "Exit codes: 0 done"}) {
     EXPECT_THAT(help.text, HasSubstr(word));
   }
   EXPECT_THAT(help.text, Not(HasSubstr("worker")));
@@ -155,10 +157,50 @@ TEST_F(MatchdayProgram, RefusesAnotherDesignInTheSameFolderNamingBothHashes) {
 
 TEST_F(MatchdayProgram, EndsWithAnErrorWhenTooManyGamesAreVoid) {
   write_design("good.toml");
-  const Said said = matchday("run good.toml" + fake("--fail always --how exit"));
+  const Said said = matchday("run good.toml --no-preflight" + fake("--fail always --how exit"));
   EXPECT_EQ(said.code, 4);
-  EXPECT_THAT(said.text, HasSubstr("5 games in a row were void: stopped"));
+  EXPECT_THAT(said.text,
+              HasSubstr("5 games in a row were void (the last: the worker ended with code 3): stopped"));
   EXPECT_THAT(said.text, HasSubstr("no game counts yet"));
+  EXPECT_THAT(said.text, HasSubstr("when it is mended, continue with: " BIN_DIR "/matchday run good.toml"));
+}
+
+TEST_F(MatchdayProgram, EndsBeforeTheFirstGameWhenTheTeamsCannotPlay) {
+  write_design("good.toml");
+  const Said said = matchday("run good.toml");  // the teams are `true`, which does not connect
+  EXPECT_EQ(said.code, 3);
+  EXPECT_THAT(said.text, HasSubstr("a short game before the first one failed: condition 'one': "));
+  EXPECT_THAT(said.text, HasSubstr("ended with code 0 before it connected"));
+  EXPECT_THAT(matchday("report results/small").text, HasSubstr("no game counts yet"));
+}
+
+TEST_F(MatchdayProgram, ReplaysAFaultyGameFromItsRepliesWithoutTheTeams) {
+  std::ofstream(folder_ / "real.toml")
+      << "name = \"real\"\npairs = 1\n[rules]\nhalf_length = 5.0\n"
+      << "[teams.a]\ncommand = [\"" BIN_DIR "/fake-team\", \"--mode\", \"wander\"]\n"
+      << "[teams.b]\ncommand = [\"" BIN_DIR "/fake-team\", \"--mode\", \"crash\", \"--at\", \"400\"]\n";
+  EXPECT_EQ(matchday("run real.toml --no-preflight").code, 0) << "forfeits count";
+  for (const std::string how : {"", " --recorded"}) {
+    const Said said = matchday("replay results/real base-0000-1" + how);
+    EXPECT_EQ(said.code, 0) << said.text;
+    EXPECT_THAT(said.text, HasSubstr("the same game as in the ledger"));
+  }
+  // A recording of another game is noticed.
+  fs::copy_file(folder_ / "results/real/games/base-0000-0/1/game.replies",
+                folder_ / "results/real/games/base-0000-1/1/game.replies",
+                fs::copy_options::overwrite_existing);
+  EXPECT_EQ(matchday("replay results/real base-0000-1 --recorded").code, 1);
+  fs::remove_all(folder_ / "results/real/games");
+  const Said gone = matchday("replay results/real base-0000-1 --recorded");
+  EXPECT_EQ(gone.code, 2);
+  EXPECT_THAT(gone.text, HasSubstr("only those of faulty and sampled games are"));
+}
+
+TEST_F(MatchdayProgram, TellsHowToContinueAfterTroubleWithTheFolder) {
+  write_design("good.toml");
+  const Said said = matchday("run good.toml --out /dev/full" + fake());
+  EXPECT_EQ(said.code, 5);
+  EXPECT_THAT(said.text, HasSubstr("continue with: "));
 }
 
 TEST_F(MatchdayProgram, InterruptedSaysHowToContinue) {
@@ -181,6 +223,86 @@ TEST_F(MatchdayProgram, ReplayWantsAGameOfTheFolder) {
   EXPECT_EQ(said.code, 2);
   EXPECT_THAT(said.text,
               HasSubstr("design 'small' has no game 'one-0009-0'; games are named like 'one-0000-0'"));
+}
+
+TEST_F(MatchdayProgram, EndsWithTheVerdictOfASequentialTest) {
+  const auto verdict = [&](const std::string& name, const std::string& a, const std::string& b,
+                           const std::string& h1) {
+    std::ofstream(folder_ / (name + ".toml")) << "name = \"" << name << "\"\npairs = 30"
+                                              << "\n[teams.a]\nname = \"new\"\ncommand = \"true goals=" << a
+                                              << "\"\n[teams.b]\nname = \"old\"\ncommand = \"true goals=" << b
+                                              << "\"\n[stopping]\nrule = \"sequential\"\nh1 = " << h1 << "\n";
+    return matchday("run " + name + ".toml --worker " BIN_DIR "/coin_worker");
+  };
+  const Said better = verdict("better", "5", "1", "0.5");
+  EXPECT_EQ(better.code, 0);
+  EXPECT_THAT(better.text,
+              AllOf(HasSubstr("stopping: sequential test of A's goal difference: H0 0 against H1 0.5"),
+                    HasSubstr("base: A (new) against B (old), goal difference: H1 accepted"),
+                    HasSubstr("estimate corrected for the stopping +")));
+  EXPECT_EQ(verdict("worse", "1", "3", "0.5").code, 10);
+  EXPECT_EQ(verdict("short", "1.3", "1", "0.01").code, 11);
+  EXPECT_THAT(matchday("report results/better").text, HasSubstr("H1 accepted"));
+}
+
+TEST_F(MatchdayProgram, PlansFromTheGamesOfAnEarlierRun) {
+  std::ofstream(folder_ / "night.toml")
+      << "name = \"night\"\npairs = 40\n[teams.a]\ncommand = \"true goals=2\"\n"
+      << "[teams.b]\ncommand = \"true goals=1\"\n";
+  matchday("run night.toml --worker " BIN_DIR "/coin_worker");
+  const Said plan = matchday("plan night.toml --workers 2");
+  EXPECT_EQ(plan.code, 0);
+  EXPECT_THAT(plan.text, AllOf(HasSubstr("night: 1 condition x 40 pairs x 2 games = 80 games"),
+                               HasSubstr("2 at a time"), HasSubstr("measured: 80 games in results/night"),
+                               HasSubstr("stopping: fixed number: 40 pairs per condition"),
+                               HasSubstr("seen in 80 games")));
+}
+
+TEST_F(MatchdayProgram, PlanSaysWhyItCouldNotMeasure) {
+  write_design("good.toml");
+  const Said plan = matchday("plan good.toml");
+  EXPECT_EQ(plan.code, 2);
+  EXPECT_THAT(plan.text, HasSubstr("the calibration game ended by a fault: "));
+}
+
+TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
+  const std::string git = "git -c user.name=test -c user.email=test@example.org ";
+  const auto shell = [&](const std::string& line) {
+    return std::system(("cd '" + folder_.string() + "' && (" + line + ") > /dev/null 2>&1").c_str());
+  };
+  ASSERT_EQ(
+      shell(
+          "git init -q -b main team && cd team && printf '#!/bin/sh\\necho 1\\n' > t.sh && chmod +x t.sh && "
+          "git add -A && " +
+          git + "commit -qm one && git checkout -q -b fast && echo '# 2' >> t.sh && " + git +
+          "commit -qam two"),
+      0);
+  const std::string line =
+      "compare main fast --team-repo team --build 'mkdir bin && cp t.sh bin/' --run 'bin/t.sh goals=2' "
+      "--games 12 --worker " BIN_DIR "/coin_worker";
+  const Said first = matchday(line);
+  EXPECT_EQ(first.code, 0) << first.text;
+  EXPECT_THAT(first.text, AllOf(HasSubstr("building fast (commit "), HasSubstr("A fast"), HasSubstr("B main"),
+                                HasSubstr("12 of 12 games")));
+  const Said again = matchday(line);
+  EXPECT_EQ(again.code, 0) << again.text;
+  EXPECT_THAT(again.text, AllOf(Not(HasSubstr("building")), HasSubstr("12 of 12 games are there")));
+  EXPECT_EQ(
+      shell(
+          "ls results/compare-main-fast-*/manifest.json && grep -q bin/t.sh results/compare-*/manifest.json"),
+      0);
+
+  const Said missing = matchday("compare main fest --team-repo team --run bin/t.sh");
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_THAT(missing.text,
+              HasSubstr("team A: repository 'team': has no revision 'fest'; did you mean fast?"));
+  const Said broken = matchday(
+      "compare main fast --team-repo team --build 'echo no compiler; exit 1' --run bin/t.sh --out b");
+  EXPECT_EQ(broken.code, 2);
+  EXPECT_THAT(broken.text, HasSubstr("ended with code 1; it said last: no compiler"));
+  const Said absent = matchday("compare main fast --team-repo team --run bin/other --out c");
+  EXPECT_EQ(absent.code, 2);
+  EXPECT_THAT(absent.text, HasSubstr("program 'bin/other' does not exist in "));
 }
 
 TEST_F(MatchdayProgram, PlayOfATeamThatDoesNotConnectIsAForfeitWithItsReason) {

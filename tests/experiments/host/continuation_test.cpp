@@ -54,6 +54,23 @@ TEST_F(RecordedGame, GoesTheSameWayWithoutItsTeams) {
   EXPECT_EQ(record.versions, original.versions);
 }
 
+TEST_F(RecordedGame, ThatEndedByAFaultGoesTheSameWayUpToIt) {
+  MatchConfig faulty = config;
+  faulty.recording = directory / "faulty.replies";
+  faulty.teams.blue.command = fakes::fake_team("crash", 433);
+  const record::MatchRecord crashed = play(faulty);
+  ASSERT_EQ(crashed.termination, Termination::Crashed);
+  MatchConfig again = recorded_config(*faulty.recording);
+  again.recording.reset();
+  again.continuation = Continuation{*faulty.recording, std::nullopt};
+  Options options;
+  options.last_tick = crashed.ticks;
+  const record::MatchRecord record = play(again, options);
+  EXPECT_EQ(record.ticks, 433);
+  EXPECT_EQ(record.hash, crashed.hash);
+  EXPECT_EQ(record.reason, "the game was broken off after tick 433");
+}
+
 // The moments: before the first second, in the middle of a second, in the second half.
 TEST_F(RecordedGame, GoesOnFromAnyMomentAndEveryTimeTheSame) {
   for (const std::int64_t tick : {std::int64_t{1}, std::int64_t{433}, original.ticks - 500}) {

@@ -166,6 +166,92 @@ TEST_F(Faults, FloodsTheChannel) {
   expect_blue(play_against("flood"), Termination::Nonsense, "answered tick 5 when tick 6 was sent");
 }
 
+TEST_F(Faults, AnswersATickFarAhead) {
+  expect_blue(play_against("future-tick"), Termination::Nonsense,
+              "answered tick 9223372036854775807 when tick 5 was sent");
+}
+
+TEST_F(Faults, AnswersTheNextTickBeforeItWasSent) {
+  // The host asks about one tick at a time and reads one answer: the early one is taken for the next tick's,
+  // the next tick's own one is then old.
+  expect_blue(play_against("two-answers"), Termination::Nonsense, "answered tick 6 when tick 7 was sent");
+}
+
+TEST_F(Faults, AnswersWithAnEmptyMessage) {
+  expect_blue(play_against("no-reply"), Termination::Nonsense, "did not answer tick 5 with a reply");
+}
+
+TEST_F(Faults, SendsALengthThatNeverEnds) {
+  expect_blue(play_against("endless"), Termination::Nonsense, "sent nonsense: ");
+}
+
+TEST_F(Faults, SendsHalfOfAnAnswer) {
+  options_.reply_deadline = 1s;
+  expect_blue(play_against("cut"), Termination::NotResponding, "did not answer within 1 s");
+}
+
+TEST_F(Faults, EndsWhenItIsGreeted) {
+  expect_blue(play_against("exit-at-hello"), Termination::Crashed,
+              "ended with code 4 before the game was over");
+}
+
+TEST_F(Faults, CrashesInTheMiddleOfTheGame) {
+  auto config = fakes::short_game("wander", "crash");
+  config.teams.blue.command = fakes::fake_team("crash", 600);
+  const auto record = play(config, options_);
+  expect_blue(record, Termination::Crashed, "was ended by signal 11");
+  EXPECT_EQ(record.ticks, 600);
+}
+
+TEST_F(Faults, WhatATeamDoesAfterTheGameIsNoFault) {
+  for (const std::string mode : {"crash-at-end", "linger"}) {
+    auto config = fakes::short_game("wander", mode);
+    config.half_length = 1;
+    const auto record = play(config, options_);
+    EXPECT_EQ(record.termination, Termination::Finished) << mode << ": " << record.reason;
+    EXPECT_EQ(record.at_fault, Party::Nobody) << mode;
+  }
+}
+
+// The fixture looks for processes of ours when the game is over.
+TEST_F(Faults, DaemonsInSessionsOfTheirOwnAreEnded) {
+  auto config = fakes::short_game("wander", "daemons");
+  config.half_length = 1;
+  const auto record = play(config, options_);
+  EXPECT_EQ(record.termination, Termination::Finished) << record.reason;
+}
+
+TEST_F(Faults, EatsMemory) {
+  options_.memory_limit = std::int64_t{300} << 20;
+  for (const std::string mode : {"memory", "burst"}) {
+    const auto record = play_against(mode);
+    expect_blue(record, Termination::OverLimit, "held ");
+    EXPECT_THAT(record.reason, HasSubstr(" MiB of memory, 300 MiB are allowed")) << mode;
+  }
+}
+
+TEST_F(Faults, WritesGigabytes) {
+  options_.output_limit = std::int64_t{256} << 20;  // of the gigabytes it would print
+  auto config = fakes::short_game("good", "gigabytes");
+  config.directory =
+      std::filesystem::path(testing::TempDir()) / ("faults_gigabytes_" + std::to_string(::getpid()));
+  expect_blue(play(config, options_), Termination::OverLimit, "printed more than 256 MiB");
+  EXPECT_LT(std::filesystem::file_size(config.directory / "blue.log"), 5U << 20);
+  std::filesystem::remove_all(config.directory);
+}
+
+TEST_F(Faults, ATeamThatStandsStillIsNoGameForAnExperiment) {
+  auto config = fakes::short_game("wander", "good");
+  config.half_length = 1;
+  EXPECT_EQ(play(config, options_).termination, Termination::Finished) << "whoever looks on may judge";
+  options_.must_be_plausible = true;
+  const auto record = play(config, options_);
+  EXPECT_EQ(record.termination, Termination::Implausible);
+  EXPECT_EQ(record.at_fault, Party::Harness);
+  EXPECT_EQ(record.reason, "this was no game: blue never told a robot to move");
+  EXPECT_EQ(record::outcome(record), record::Outcome::Void);
+}
+
 TEST_F(Faults, IsInterruptedByTheUser) {
   int asked = 0;
   options_.interrupted = [&asked] { return ++asked > 3; };

@@ -42,6 +42,8 @@ TEST(Tally, CountsCallsFoulsAndWritesTheTimeline) {
   tally.finish(referee, record);
   EXPECT_THAT(record.calls, ElementsAre(Pair("BotKickedBallTooFast", 2)));
   EXPECT_EQ(record.fouls, (world::PerTeam<int>{.yellow = 0, .blue = 2}));
+  EXPECT_THAT(record.fouls_by_kind.blue, ElementsAre(Pair("BotKickedBallTooFast", 2)));
+  EXPECT_TRUE(record.fouls_by_kind.yellow.empty());
   EXPECT_EQ(record.counters["noted_BotTooNearInStop"], 1);  // and no foul that was called
   EXPECT_DOUBLE_EQ(record.counters["simulated_seconds"], 2 * world::tick_length);
   ASSERT_EQ(record.timeline.size(), 4U);

@@ -15,7 +15,15 @@ inline MatchRecord example_record() {
   record.hash = "0123456789abcdef0123456789abcdef";
   record.calls = {{"BallLeftFieldTouchLine", 40}, {"PossibleGoal", 3}};
   record.fouls = {.yellow = 4, .blue = 5};
+  record.fouls_by_kind = {.yellow = {{"AimlessKick", 4}}, .blue = {{"BotCrashUnique", 5}}};
   record.stoppages = 61;
+  record.statistics =
+      MatchStatistics{.teams = {.yellow = {30, 9, 4, 2, 15, 10, 50, 12, 7, 300.5, 200.25, 1234.5},
+                                .blue = {31, 8, 3, 1, 14, 11, 51, 13, 6, 310.5, 250.25, 1334.5}},
+                      .time = 1230,
+                      .in_play = 700,
+                      .passages = 61,
+                      .longest_passage = 44.5};
   record.counters = {{"shots", 12.5}};
   record.versions = {.yellow = "1.0", .blue = "2.0"};
   record.timeline = {

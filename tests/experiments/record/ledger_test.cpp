@@ -55,6 +55,38 @@ TEST_F(LedgerTest, GivesBackWhatWasWrittenAlsoAfterReopening) {
   EXPECT_EQ(Ledger::read(file()).experiment(), experiment_);
 }
 
+TEST_F(LedgerTest, KeepsAuditsTheLastOfEachAttempt) {
+  const Audit same{{"equal", 3, 1}, 1, Verdict::Same, "abc", ""};
+  Audit other{{"equal", 2, 0}, 2, Verdict::Failed, "", "the worker died"};
+  {
+    Ledger ledger = open();
+    EXPECT_TRUE(ledger.audits().empty());
+    ledger.add(same);
+    ledger.add(other);
+    other.verdict = Verdict::TeamDiffers;
+    other.hash = "def";
+    other.reason.clear();
+    ledger.add(other);
+  }
+  EXPECT_THAT(Ledger::read(file()).audits(), ElementsAre(other, same));
+}
+
+TEST_F(LedgerTest, OneWithoutAuditsIsReadAndGetsThem) {
+  open();
+  SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("DROP TABLE audits");
+  EXPECT_TRUE(Ledger::read(file()).audits().empty());
+  open().add(Audit{{"equal", 0, 0}, 1, Verdict::Same, "abc", ""});
+  EXPECT_EQ(Ledger::read(file()).audits().size(), 1U);
+}
+
+TEST_F(LedgerTest, SaysWhichAuditIsDamaged) {
+  open().add(Audit{{"equal", 0, 1}, 1, Verdict::Same, "abc", ""});
+  SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("UPDATE audits SET verdict = 'fine'");
+  EXPECT_THAT(
+      complaint([&] { Ledger::read(file()).audits(); }),
+      HasSubstr("audit of game equal-0000-1 cannot be read: unknown verdict 'fine'; known are: same"));
+}
+
 TEST_F(LedgerTest, TakesEveryAttemptOnlyOnce) {
   Ledger ledger = open();
   ledger.add(example_attempt(0, 0));
@@ -81,8 +113,41 @@ TEST_F(LedgerTest, RefusesANewerSchemaNamingBothNumbers) {
   SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
   for (const std::string& message : {complaint([&] { open(); }), complaint([&] { Ledger::read(file()); })}) {
     EXPECT_THAT(message, HasSubstr("schema 7"));
-    EXPECT_THAT(message, HasSubstr("only up to 1"));
+    EXPECT_THAT(message, HasSubstr("only up to 2"));
   }
+}
+
+TEST_F(LedgerTest, ShowsTheStatisticsAsColumnsOfTheViewGames) {
+  open().add(example_attempt(0, 0));
+  SQLite::Database database(file().string());
+  SQLite::Statement row(
+      database, "SELECT game, shots_blue, possession_yellow, longest_passage, goals_yellow FROM games");
+  ASSERT_TRUE(row.executeStep());
+  EXPECT_EQ(row.getColumn(0).getString(), "equal-0000-0");
+  EXPECT_EQ(row.getColumn(1).getInt(), 8);
+  EXPECT_DOUBLE_EQ(row.getColumn(2).getDouble(), 300.5);
+  EXPECT_DOUBLE_EQ(row.getColumn(3).getDouble(), 44.5);
+  EXPECT_EQ(row.getColumn(4).getInt(), 2);
+}
+
+// As version 1 wrote it: no view, and records without statistics and kinds of fouls.
+TEST_F(LedgerTest, ReadsSchema1AndBringsItUpToDateWhenWriting) {
+  Attempt old = example_attempt(0, 0);
+  open().add(old);
+  {
+    SQLite::Database database(file().string(), SQLite::OPEN_READWRITE);
+    database.exec("UPDATE attempts SET record = json_remove(record, '$.statistics', '$.fouls_by_kind')");
+    database.exec("DROP VIEW games");
+    database.exec("PRAGMA user_version = 1");
+  }
+  old.record.statistics.reset();
+  old.record.fouls_by_kind = {};
+  EXPECT_THAT(Ledger::read(file()).attempts(), ElementsAre(old));
+  open().add(example_attempt(0, 1));
+  EXPECT_THAT(Ledger::read(file()).attempts(), ElementsAre(old, example_attempt(0, 1)));
+  SQLite::Database database(file().string());
+  EXPECT_EQ(database.execAndGet("SELECT count(shots_blue) FROM games").getInt(), 1);
+  EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), Ledger::schema);
 }
 
 TEST_F(LedgerTest, RefusesWhatIsNoLedger) {

@@ -54,4 +54,57 @@ inline record::Attempt spoilt(record::Attempt attempt) {
   return attempt;
 }
 
+/// Two conditions of three pairs, and a void game.
+inline Summary example() {
+  std::vector<record::Attempt> games;
+  for (int pair = 0; pair < 3; ++pair) {
+    for (int leg = 0; leg < 2; ++leg) {
+      games.push_back(game("equal", pair, leg, pair, leg + 1));
+      games.push_back(game("hindered", pair, leg, 3 + leg, pair));
+    }
+  }
+  games.push_back(spoilt(games[0]));
+  games.back().key.pair = 7;
+  return summarise(example_header(), games);
+}
+
+/// The same game with match statistics: A shoots that often, B twice; A commits an offence.
+inline record::Attempt with_statistics(record::Attempt attempt, int shots) {
+  record::MatchStatistics statistics{.time = 1200, .in_play = 600, .passages = 60, .longest_passage = 30};
+  record::TeamStatistics& a = statistics.teams[attempt.a_colour];
+  record::TeamStatistics& b = statistics.teams[world::opponent(attempt.a_colour)];
+  a = {.kicks = 40, .shots = shots, .shots_on_target = 2, .passes = 10, .passes_completed = 7};
+  b = {.kicks = 30, .shots = 2, .shots_on_target = 1};
+  a.possession = 200;
+  b.possession = 100;
+  attempt.record.statistics = statistics;
+  attempt.record.fouls_by_kind[attempt.a_colour]["AimlessKick"] = 1;
+  return attempt;
+}
+
+/// B at 0.3, 0.6 and 0.9 of its speed: A wins by 4, 2 and 0 goals, each game a little different.
+inline Summary sweep_example() {
+  Header header = example_header();
+  header.conditions.clear();
+  std::vector<record::Attempt> games;
+  for (int point = 0; point < 3; ++point) {
+    Header::Condition condition;
+    condition.name = "speed-0." + std::to_string(3 + 3 * point);
+    condition.a = {.name = "ours", .command = {"team-a"}};
+    condition.b = condition.a;
+    condition.b.speed_factor = 0.3 + 0.3 * point;
+    condition.realism = header.realism;
+    condition.sweep = "speed";
+    condition.values = {{"b.speed_factor", condition.b.speed_factor}};
+    for (int pair = 0; pair < 3; ++pair) {
+      for (int leg = 0; leg < 2; ++leg) {
+        const int off = pair == 1 ? 0 : pair == 0 ? 1 : -1;
+        games.push_back(with_statistics(game(condition.name, pair, leg, 4, 2 * point + off), 5 + pair));
+      }
+    }
+    header.conditions.push_back(condition);
+  }
+  return summarise(header, games);
+}
+
 }  // namespace report

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "tests/experiments/report/examples.h"
@@ -12,52 +13,76 @@ namespace report {
 namespace {
 
 using testing::HasSubstr;
-
-Summary example() {
-  std::vector<record::Attempt> games;
-  for (int pair = 0; pair < 3; ++pair) {
-    for (int leg = 0; leg < 2; ++leg) {
-      games.push_back(game("equal", pair, leg, pair, leg + 1));
-      games.push_back(game("hindered", pair, leg, 3 + leg, pair));
-    }
-  }
-  games.push_back(spoilt(games[0]));
-  games.back().key.pair = 7;
-  return summarise(example_header(), games);
-}
+using testing::Not;
 
 // The table as it is meant to look, read and agreed on by eye; numbers checked by hand:
-// equal: 0:1 0:2 1:1 1:2 2:1 2:2, so 1-2-3; hindered: six wins of six, sign test 2/64.
+// equal: 0:1 0:2 1:1 1:2 2:1 2:2, so 1-2-3; hindered: six wins of six, sign test 2/64, times two conditions.
+// Pair means -1.5 -0.5 0.5: deviation 1, t(0.975, 2) = 4.303; 6 of 8 sign patterns are as far from zero; the
+// two legs rise together, r = 1.
 TEST(Text, LooksLikeThis) {
   EXPECT_EQ(as_text(example()), R"(night: ours against theirs
 rule set ssl-2015, realism measured, seed 7, 3 pairs per condition
 12 of 12 games, experiment 0123456789abcdef0123456789abcdef
 
-  team                              games  wins draws  lost   win % [95 %]         goals a game   fouls
+  team                           games  wins draws  lost   win % [95 %]         goals a game   fouls
 
-equal: no difference shown (p = 0.625)
-  A ours                                6     1     2     3   16.7 [3.0, 56.4]     1.00 ± 0.37      4.0
-  B theirs                              6     3     2     1   50.0 [18.8, 81.2]    1.50 ± 0.22      7.0
-  A - B -0.50 ± 0.58 goals a game over 3 pairs, 60.0 stoppages a game
+equal: no difference shown (p = 0.625; Holm 0.625)
+  A ours                             6     1     2     3   16.7 [3.0, 56.4]     1.00 ± 0.37      4.0
+  B theirs                           6     3     2     1   50.0 [18.8, 81.2]    1.50 ± 0.22      7.0
+  A - B -0.50 ± 0.58 goals a game, 95 %: t [-2.98, 1.98], bootstrap [-1.50, 0.50]
+        sign flips p 0.750 (Holm 0.750); 3 pairs, r within pairs 1.00 ± 0.00; 60.0 stoppages a game
 
-hindered (realism measured with radio.loss 0.2): A wins more games than it loses (p = 0.031)
-  A ours                                6     6     0     0   100.0 [61.0, 100.0]  3.50 ± 0.22      4.0
-  B theirs, 3 robots, speed 0.5         6     0     0     6   0.0 [0.0, 39.0]      1.00 ± 0.37      7.0
-  A - B +2.50 ± 0.58 goals a game over 3 pairs, 60.0 stoppages a game
+hindered (realism measured with radio.loss 0.2): no difference shown (p = 0.031; Holm 0.063)
+  A ours                             6     6     0     0   100.0 [61.0, 100.0]  3.50 ± 0.22      4.0
+  B theirs, 3 robots, speed 0.5      6     0     0     6   0.0 [0.0, 39.0]      1.00 ± 0.37      7.0
+  A - B +2.50 ± 0.58 goals a game, 95 %: t [0.02, 4.98], bootstrap [1.50, 3.50]
+        sign flips p 0.250 (Holm 0.500); 3 pairs, r within pairs 1.00 ± 0.00; 60.0 stoppages a game
 
-± is one standard error; fouls are calls against the team per game;
+± is one standard error, intervals are 95 %; win %: Wilson; fouls are calls against the team a game.
 p is the exact two-sided sign test of A's wins against its losses.
+A - B: mean over pairs of games with colours exchanged; sign flips: permutation test over pairs; r:
+  correlation.
+Holm: adjusted for the number of conditions.
 Note: equal: 1 void attempt by no fault of a single team, played again.
 )");
 }
 
-TEST(Text, FitsIntoATerminal) {
-  std::istringstream lines(as_text(example()));
+std::size_t widest_line(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t widest = 0;
   for (std::string line; std::getline(lines, line);) {
     // Bytes that continue a character take no column.
     const auto columns = std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; });
-    EXPECT_LE(columns, 110) << line;
+    widest = std::max(widest, static_cast<std::size_t>(columns));
   }
+  return widest;
+}
+
+TEST(Text, FitsIntoATerminal) {
+  EXPECT_LE(widest_line(as_text(example())), 100U);
+  EXPECT_LE(widest_line(as_text(sweep_example())), 100U);
+}
+
+TEST(Text, TellsTheTrendOfASweepAndTheMatchStatistics) {
+  const std::string text = as_text(sweep_example());
+  // Goal differences 4, 2, 0 at 0.3, 0.6, 0.9: a slope of -2 / 0.3.
+  EXPECT_THAT(text, HasSubstr("speed: A's goal difference changes by -6.67 ["));
+  EXPECT_THAT(text, HasSubstr("a game per unit of b.speed_factor"));
+  EXPECT_THAT(text, HasSubstr("points of a sweep are not adjusted"));
+  EXPECT_THAT(text, Not(HasSubstr("(Holm"))) << "the trend is the only question";
+  EXPECT_THAT(text, HasSubstr("shots on target"));
+  EXPECT_THAT(text, HasSubstr("longest passage [s]"));
+}
+
+TEST(Text, ShowsTheAnswerOfASequentialTestAndWarnsOfThePlainMeans) {
+  Summary summary = example();
+  summary.header.stopping = "sequential test of A's goal difference";
+  summary.header.answers = {"equal: H1 accepted; estimate corrected for the stopping 0.40"};
+  for (const std::string& text :
+       {as_text(summary), as_markdown(summary), as_latex(summary), as_json(summary)}) {
+    EXPECT_THAT(text, HasSubstr("corrected for the stopping 0.40"));
+  }
+  EXPECT_THAT(as_text(summary), HasSubstr("not corrected for that"));
 }
 
 TEST(Markdown, HasOneRowPerCondition) {
@@ -89,6 +114,41 @@ TEST(Json, HasEveryNumberInFull) {
   EXPECT_THAT(text, HasSubstr("\"a_robots\": 6"));
   EXPECT_THAT(text, HasSubstr("\"half_length\": null"));
   EXPECT_THAT(text, HasSubstr("\"conditions_without_forfeits\": []"));
+  EXPECT_THAT(text, HasSubstr("\"sign_test_p_holm\": 0.0625"));
+  EXPECT_THAT(text, HasSubstr("\"sign_flip_p\": 0.25"));
+}
+
+TEST(Json, HasSweepsAndStatistics) {
+  const std::string text = as_json(sweep_example());
+  EXPECT_THAT(text, HasSubstr("\"b.speed_factor\": 0.3"));
+  EXPECT_THAT(text, HasSubstr("\"name\": \"possession\""));
+  EXPECT_THAT(text, HasSubstr("\"name\": \"foul_AimlessKick\""));
+  EXPECT_THAT(text, HasSubstr("\"key\": \"b.speed_factor\""));
+}
+
+TEST(Csv, HasColumnsForSweepsAndStatistics) {
+  const std::string text = as_csv(sweep_example());
+  EXPECT_THAT(text, HasSubstr(",value_b.speed_factor,"));
+  EXPECT_THAT(text, HasSubstr(",shots_a,shots_a_standard_error,shots_b,"));
+  std::istringstream lines(text);
+  std::set<long> commas;
+  for (std::string line; std::getline(lines, line);) commas.insert(std::count(line.begin(), line.end(), ','));
+  EXPECT_EQ(commas.size(), 1U);
+}
+
+TEST(Latex, HasBalancedTabularsAndEscapesNames) {
+  Summary summary = sweep_example();
+  summary.header.conditions[0].a.name = "50% & more_{}";
+  const std::string text = as_latex(summary);
+  EXPECT_THAT(text, HasSubstr("50\\% \\& more\\_\\{\\}"));
+  const auto count = [&](const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("\\begin{tabular}"), count("\\end{tabular}"));
+  EXPECT_EQ(count("\\begin{tabular}"), 5U) << "results, trends, three conditions' statistics";
+  EXPECT_THAT(text, HasSubstr("$4.00 \\pm 0.00$"));
 }
 
 TEST(Formatted, RefusesWhatItDoesNotKnow) {

@@ -94,6 +94,44 @@ TEST(Summary, CountsGamesThatAreCopies) {
   EXPECT_EQ(summarise(example_header(), games).repeated_games, 1);
 }
 
+// Pair means 1.5 and 1.5 from (3, 0) and (-1, 4): the legs move against each other, but two pairs say
+// nothing.
+TEST(Summary, TestsTheGoalDifferenceOverPairs) {
+  std::vector<record::Attempt> games;
+  for (int pair = 0; pair < 4; ++pair) {
+    games.push_back(game("equal", pair, 0, pair, 0));  // 0 1 2 3
+    games.push_back(game("equal", pair, 1, 3, pair));  // 3 2 1 0
+  }
+  const Row row = summarise(example_header(), games).rows[0];
+  EXPECT_DOUBLE_EQ(row.difference.mean, 1.5);
+  EXPECT_NEAR(row.correlation.value, -1, 1e-12);
+  EXPECT_DOUBLE_EQ(row.permutation_p, 2.0 / 16);
+  EXPECT_DOUBLE_EQ(row.bootstrap.low, 1.5);
+}
+
+TEST(Summary, AdjustsForTheConditionsThatHaveGames) {
+  std::vector<record::Attempt> games;
+  for (int pair = 0; pair < 3; ++pair) {
+    for (int leg = 0; leg < 2; ++leg) games.push_back(game("equal", pair, leg, 1, 0));
+  }
+  EXPECT_FALSE(summarise(example_header(), games).rows[0].p_holm) << "one question";
+  for (int pair = 0; pair < 3; ++pair) {
+    for (int leg = 0; leg < 2; ++leg) games.push_back(game("hindered", pair, leg, 1, 1));
+  }
+  const std::vector<Row> rows = summarise(example_header(), games).rows;
+  EXPECT_DOUBLE_EQ(rows[0].p_holm.value(), 2 * 2.0 / 64);
+  EXPECT_DOUBLE_EQ(rows[1].p_holm.value(), 1);
+}
+
+TEST(Summary, TestsTheTrendOfASweepInsteadOfItsPoints) {
+  const Summary summary = sweep_example();
+  ASSERT_EQ(summary.sweeps.size(), 1U);
+  EXPECT_EQ(summary.sweeps[0].key, "b.speed_factor");
+  EXPECT_EQ(summary.sweeps[0].x, (std::vector<double>{0.3, 0.6, 0.3 + 0.3 * 2}));
+  EXPECT_NEAR(summary.sweeps[0].trend.slope, -2 / 0.3, 1e-9);
+  EXPECT_FALSE(summary.rows[0].p_holm);
+}
+
 TEST(Row, SaysPlainlyWhatIsShown) {
   Row row;
   EXPECT_EQ(row.verdict(), "no game counts yet");
@@ -104,6 +142,9 @@ TEST(Row, SaysPlainlyWhatIsShown) {
   row.a.wins = 15;
   row.b.wins = 2;
   EXPECT_EQ(row.verdict(), "A wins more games than it loses (p = 0.003)");
+  row.p_holm = 0.06;
+  EXPECT_EQ(row.verdict(), "no difference shown (p = 0.003; Holm 0.060)");
+  row.p_holm.reset();
   row.b.wins = 19;
   row.p = 1e-5;
   EXPECT_EQ(row.verdict(), "A loses more games than it wins (p < 0.001)");

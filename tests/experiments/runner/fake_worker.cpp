@@ -1,10 +1,15 @@
 // A worker that plays nothing: scores come from the seed, and it misbehaves as told.
 //
-//   fake_worker [--milliseconds N] [--fail always|first] [--how
-//   crash|abort|exit|hang|silent|nonsense|forfeit|flood] JOB RESULT
+//   fake_worker [--milliseconds N] [--fail always|first] [--how HOW] JOB RESULT
+//
+// HOW is crash, abort, exit, hang (before it plays), stuck (while it plays, printing all the time), long
+// (goes on without end), silent (no result), nonsense (a bad one), eater (takes memory), forfeit,
+// interrupted. These make a game good but strange: differs (another hash whenever teams play live), unstable
+// (another hash always), daemon (leaves a process in a session of its own).
 //
 // --fail first: only in the first attempt of pairs whose seed says so, about one game in four.
 #include <signal.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -53,7 +58,18 @@ record::MatchRecord score(const record::MatchConfig& config) {
   return record;
 }
 
-void misbehave(const Behaviour& behaviour) {
+/// A process that is in no group, session or family of ours.
+void start_daemon() {
+  if (const pid_t child = ::fork(); child != 0) {
+    ::waitpid(child, nullptr, 0);
+    return;
+  }
+  ::setsid();
+  if (::fork() != 0) ::_exit(0);
+  for (;;) ::pause();
+}
+
+void misbehave(const Behaviour& behaviour, runner::ProgressWriter& progress) {
   if (behaviour.how == "crash") ::raise(SIGKILL);
   if (behaviour.how == "abort") {
     std::cerr << "assertion failed: ball is round" << std::endl;
@@ -64,8 +80,20 @@ void misbehave(const Behaviour& behaviour) {
     ::signal(SIGTERM, SIG_IGN);
     for (;;) ::pause();
   }
-  if (behaviour.how == "flood") {
+  if (behaviour.how == "stuck") {
+    progress.write(12.5);
     for (;;) std::cout << std::string(1000, 'x') << '\n';
+  }
+  if (behaviour.how == "long") {
+    for (double seconds = 1;; ++seconds) {
+      progress.write(seconds);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+  if (behaviour.how == "eater") {
+    progress.write(1);
+    const std::string eaten(std::size_t{64} << 20, 'x');
+    for (;;) ::pause();
   }
   if (behaviour.how == "silent") std::exit(0);
   if (behaviour.how == "nonsense") {
@@ -78,6 +106,7 @@ void misbehave(const Behaviour& behaviour) {
 
 int main(int argc, char** argv) {
   const Behaviour behaviour = read(argc, argv);
+  runner::ProgressWriter progress(runner::progress_file(behaviour.result));
   runner::serve_job(behaviour.job, behaviour.result, [&](const record::MatchConfig& config) {
     std::this_thread::sleep_for(behaviour.length);
     const bool first_attempt = behaviour.job.parent_path().filename() == "1";
@@ -88,9 +117,20 @@ int main(int argc, char** argv) {
       record.termination = record::Termination::Crashed;
       record.at_fault = record::Party::Yellow;
       record.reason = "yellow fell over";
-    } else if (fails) {
-      misbehave(behaviour);
+    } else if (fails && behaviour.how == "interrupted") {
+      record.termination = record::Termination::Interrupted;
+      record.at_fault = record::Party::Harness;
+      record.reason = "the game was interrupted";
+    } else if (behaviour.how == "differs" || behaviour.how == "unstable") {
+      record.hash += "-" + std::to_string(::getpid());
     }
+    // The recorded replies of a game are its hash here.
+    if (config.recording) std::ofstream(*config.recording) << record.hash << '\n';
+    if (config.continuation && behaviour.how != "unstable") {
+      std::ifstream(config.continuation->recording) >> record.hash;
+    }
+    if (behaviour.how == "daemon") start_daemon();
+    if (fails && behaviour.how != "forfeit" && behaviour.how != "interrupted") misbehave(behaviour, progress);
     return record;
   });
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "experiments/record/ledger.h"
 #include "tests/experiments/runner/support.h"
 
@@ -92,6 +94,30 @@ TEST(Plan, ContinuesWithTheSameAttemptsAsWithoutABreak) {
   for (const record::Attempt& attempt : ledger) plan.add(attempt);
   Plan continued(design, ledger);
   for (int i = 0; i < 5; ++i) EXPECT_EQ(name_of(continued.next()), name_of(plan.next()));
+}
+
+TEST(Plan, NeedsNoGamesBehindTheEndOfACondition) {
+  Plan plan(small_design(3), {});
+  plan.stop("equal", 1);
+  EXPECT_EQ(plan.total(), 8U);
+  std::vector<std::string> names;
+  while (const auto job = plan.next()) names.push_back(name_of(job));
+  EXPECT_EQ(names.size(), 8U);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "equal-0001-0/1"), 0);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "slow-0002-1/1"), 1);
+}
+
+TEST(Plan, DoesNotPlayAVoidPairAgainThatIsNotNeededAnyMore) {
+  Plan plan(small_design(2), {});
+  std::vector<Job> jobs;
+  while (const auto job = plan.next()) jobs.push_back(*job);
+  plan.stop("equal", 1);
+  plan.add(spoilt(jobs[4]));  // equal-0001-0
+  EXPECT_EQ(name_of(plan.next()), "none");
+  for (const Job& job : jobs) {
+    if (job.game.key != record::GameKey{"equal", 1, 0}) plan.add(finished(job));
+  }
+  EXPECT_EQ(plan.resolved(), plan.total());
 }
 
 TEST(Plan, RefusesGamesOfAnotherDesign) {

@@ -27,11 +27,12 @@ TEST(Progress, SaysGamesRateTimeLeftAndScoresOfA) {
   std::ostringstream out;
   Progress progress(out, false, design, 24, 4);
   const auto later = Progress::Clock::now() + std::chrono::seconds(30);
+  progress.left(TimeLeft::Estimate{170, 150, 190});
   progress.ended(game(0, 2, 1), 5, later);
   progress.ended(game(1, 0, 1), 6, later);
   progress.ended(game(2, 1, 1), 7, later);
-  // Three games in 30 s: six a minute, 17 left take 170 s. The clock started a moment before `later` - 30 s.
-  EXPECT_THAT(out.str(), HasSubstr("7/24 games, 6.0/min, 2:50 left | equal 1-0-1, slow 0-1-0"));
+  // Three games in 30 s: six a minute. The clock started a moment before `later` - 30 s.
+  EXPECT_THAT(out.str(), HasSubstr("7/24 games, 6.0/min, 2:50 left (2:30-3:10) | equal 1-0-1, slow 0-1-0"));
   EXPECT_THAT(out.str(), HasSubstr("equal-0000-0: A 2:1 B"));
 }
 

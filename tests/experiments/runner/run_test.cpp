@@ -8,86 +8,17 @@
 #include <csignal>
 #include <fstream>
 #include <map>
+#include <random>
 #include <sstream>
 #include <thread>
 
 #include "experiments/record/ledger.h"
-#include "tests/experiments/runner/support.h"
+#include "tests/experiments/runner/run_fixture.h"
 
 namespace runner {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-class RunTest : public testing::Test {
- protected:
-  /// Options with a fake worker of these arguments, in a folder of its own.
-  RunOptions options(const std::string& folder, std::vector<std::string> arguments = {}) const {
-    RunOptions options;
-    options.out = folder_.path() / folder;
-    options.workers = 2;
-    options.worker_command = {FAKE_WORKER};
-    options.worker_command.insert(options.worker_command.end(), arguments.begin(), arguments.end());
-    options.limits.grace = std::chrono::milliseconds{50};
-    options.most_faults_in_a_row = 100;
-    return options;
-  }
-
-  Ending play(const RunOptions& options) {
-    std::ostringstream said;
-    const RunResult result = run(design_, options, said);
-    said_ = said.str();
-    return result.ending;
-  }
-
-  /// A run in a process of its own, as the user has it.
-  pid_t play_elsewhere(const RunOptions& options) const {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      std::ofstream nowhere("/dev/null");
-      const RunResult result = run(design_, options, nowhere);
-      ::_exit(result.ending == Ending::Interrupted ? 128 + result.signal : 0);
-    }
-    return child;
-  }
-
-  /// All attempts without what may differ from run to run.
-  std::vector<record::Attempt> table(const std::string& folder) const {
-    auto attempts = record::Ledger::read(folder_.path() / folder / "ledger.sqlite").attempts();
-    for (record::Attempt& attempt : attempts) {
-      attempt.started.clear();
-      attempt.worker = 0;
-      attempt.record.wall_seconds = 0;
-      attempt.record.costs.clear();
-    }
-    return attempts;
-  }
-
-  /// Processes whose command line names the folder of this test: workers that are still there.
-  int left_over() const {
-    int count = 0;
-    for (const auto& entry : fs::directory_iterator("/proc")) {
-      std::ifstream stream(entry.path() / "cmdline");
-      std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-      if (text.find(folder_.path().string()) != std::string::npos) ++count;
-    }
-    return count;
-  }
-
-  /// Killed processes take a moment to go.
-  bool nobody_left() const {
-    for (int i = 0; i < 200; ++i) {
-      if (left_over() == 0) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
-  }
-
-  TemporaryFolder folder_;
-  schedule::Design design_ = small_design(4);
-  std::string said_;
-};
 
 TEST_F(RunTest, PlaysEveryGameOnce) {
   EXPECT_EQ(play(options("a")), Ending::Done);
@@ -116,13 +47,17 @@ TEST_F(RunTest, GivesTheSameTableWithAnyNumberOfWorkers) {
 
 TEST_F(RunTest, KilledAtAnyMomentAndContinuedGivesTheSameTable) {
   const std::vector<std::string> fake = {"--milliseconds", "20", "--fail", "first"};
+  design_ = small_design(12);
   play(options("undisturbed", fake));
   const std::vector<record::Attempt> expected = table("undisturbed");
-  ASSERT_GT(expected.size(), 16U) << "some games should have been void";
+  ASSERT_GT(expected.size(), 48U) << "some games should have been void";
 
-  // Moments: before the folder exists, while the ledger is made, during the first games, later. Each run gets
-  // on.
-  for (const int milliseconds : {0, 2, 5, 10, 15, 25, 40, 60, 80, 110, 140, 20, 30}) {
+  // Twenty moments: before the folder exists, while the ledger is made, during the first games, later. Each
+  // run gets on, by a game or two.
+  std::mt19937 random(20);  // fixed: the same moments in every run of the test
+  std::uniform_int_distribution<int> moment(0, 90);
+  for (int kill = 0; kill < 20; ++kill) {
+    const int milliseconds = kill < 3 ? 3 * kill : moment(random);
     const pid_t child = play_elsewhere(options("disturbed", fake));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
     ::kill(child, SIGKILL);
@@ -131,19 +66,6 @@ TEST_F(RunTest, KilledAtAnyMomentAndContinuedGivesTheSameTable) {
   }
   EXPECT_EQ(play(options("disturbed", fake)), Ending::Done);
 
-  // A game that was void before its partner was started spares the partner; which one comes first is a matter
-  // of time, so only the attempts that count are compared.
-  const auto counted = [](const std::vector<record::Attempt>& attempts) {
-    std::vector<record::Attempt> result;
-    std::map<std::pair<std::string, int>, std::vector<const record::Attempt*>> pairs;
-    for (const auto& one : attempts) pairs[{one.key.condition, one.key.pair}].push_back(&one);
-    for (const auto& [key, all] : pairs) {
-      const record::PairState state = record::pair_state(all);
-      EXPECT_TRUE(state.complete());
-      for (const record::Attempt* leg : state.legs) result.push_back(*leg);
-    }
-    return result;
-  };
   EXPECT_EQ(counted(table("disturbed")), counted(expected));
 }
 
@@ -176,8 +98,9 @@ class RunFault : public RunTest, public testing::WithParamInterface<Fault> {};
 TEST_P(RunFault, IsAVoidAttemptWithItsReasonAndThePairIsPlayedAgain) {
   design_ = small_design(1);
   RunOptions faulty = options("a", {"--fail", "always", "--how", GetParam().how});
-  faulty.limits.silence = std::chrono::milliseconds{200};
-  faulty.limits.game = std::chrono::milliseconds{300};
+  faulty.start_up = std::chrono::milliseconds{200};
+  faulty.limits.silence = 0.2;
+  faulty.limits.game = 0.6;
   faulty.workers = 1;
   EXPECT_EQ(play(faulty), Ending::TooManyFaults);
   EXPECT_THAT(said_, HasSubstr("2 pairs were given up after 3 void attempts"));
@@ -195,8 +118,9 @@ INSTANTIATE_TEST_SUITE_P(All, RunFault,
                          testing::Values(Fault{"crash", "was ended by signal 9"},
                                          Fault{"abort", "it said last: assertion failed: ball is round"},
                                          Fault{"exit", "ended with code 3"},
-                                         Fault{"hang", "no sign of life from the worker"},
-                                         Fault{"flood", "the game took longer than"},
+                                         Fault{"hang", "the worker did not begin to play within 0.2 s"},
+                                         Fault{"stuck", "stuck at 12.5 s of the match: no simulated time"},
+                                         Fault{"long", "the game took longer than 0.6 s"},
                                          Fault{"silent", "left no usable result"},
                                          Fault{"nonsense", "left no usable result"}),
                          [](const auto& instance) { return std::string(instance.param.how); });
@@ -215,7 +139,7 @@ TEST_F(RunTest, CountsAForfeitAndKeepsItsFiles) {
 
 TEST_F(RunTest, StopsAfterTooManyFaultsInARow) {
   RunOptions faulty = options("a", {"--fail", "always", "--how", "exit"});
-  faulty.most_faults_in_a_row = 4;
+  faulty.limits.faults_in_a_row = 4;
   faulty.workers = 1;
   EXPECT_EQ(play(faulty), Ending::TooManyFaults);
   EXPECT_EQ(table("a").size(), 4U);

@@ -124,7 +124,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"name = \"n\"\ngames = 8\npairs = 4" + teams, "night.toml:2: games = 8: give either"},
         Mistake{"name = \"n\"\npairs = \"4\"" + teams, "night.toml:2: pairs = '4': must be a whole number"},
         Mistake{head + "seed = -1" + teams, "night.toml:3: seed = -1: must not be negative"},
-        Mistake{head + "sed = 1" + teams, "night.toml:3: unknown key sed = 1; known here are: name, "},
+        Mistake{head + "sed = 1" + teams,
+                "night.toml:3: unknown key sed = 1; did you mean seed?; known here are: name, "},
         Mistake{head + "realism = \"real\"" + teams,
                 "night.toml:3: realism \"real\" is not known; known are none, friendly"},
         Mistake{head + "[realism]\npreset = 3" + teams, "night.toml:4: realism.preset = 3: must be a text"},
@@ -157,21 +158,61 @@ INSTANTIATE_TEST_SUITE_P(
                 "night.toml:4: teams.a.command = \"x 'y\": command"},
         Mistake{head + "[teams.a]\ncommand = [1]\n",
                 "night.toml:4: teams.a.command = [ 1 ]: must be a list of texts"},
-        Mistake{head + "[teams.a]\ncommand = \"x\"\nrobots = 6\n",
-                "night.toml:5: teams.a.robots = 6: must be a list"},
+        Mistake{head + "[teams.a]\ncommand = \"x\"\nrobots = 7\n",
+                "night.toml:5: teams.a.robots = 7: must be from 1 to 6, or a list"},
+        Mistake{head + "[teams.a]\ncommand = \"x\"\nrobots = \"6\"\n",
+                "night.toml:5: teams.a.robots = '6': must be a list"},
         Mistake{head + "[teams.a]\ncommand = \"x\"\nrobots = [1, 1]\n",
                 "night.toml:5: teams.a.robots = [ 1, 1 ]: names robot 1 twice"},
         Mistake{head + "[teams.a]\ncommand = \"x\"\nrobots = [16]\n", "robots have numbers from 0 to 15"},
         Mistake{head + "[teams.a]\ncommand = \"x\"\nrobots = []\n", "must name 1 to 6 robots"},
         Mistake{head + "[teams.a]\ncommand = \"x\"\nspeed_factor = 1.5\n",
                 "night.toml:5: teams.a.speed_factor = 1.5: must be above 0 and at most 1"},
+        Mistake{head + "[rules]\nset = \"papr\"" + teams,
+                "there is no such one; did you mean paper?; known are"},
+        Mistake{head + "[teams.a]\nrepository = \".\"\nrun = \"./x\"\n", "teams.a.revision is missing"},
+        Mistake{head + "[teams.a]\nrepository = \".\"\nrevision = \"main\"\n", "teams.a.run is missing"},
+        Mistake{head + "[teams.a]\ncommand = \"x\"\nrevision = \"main\"\n",
+                "night.toml:5: teams.a.revision = 'main': belongs to a team from git"},
+        Mistake{head + "[teams.a]\nrepository = \".\"\nrevision = \"main\"\ncommand = \"x\"\n",
+                "night.toml:6: teams.a.command = 'x': this team is built from git"},
+        Mistake{head + teams + "[[sweeps]]\nname = \"s\"\nb.robots = 3\n",
+                "night.toml:10: sweeps.name = 's': sweeps nothing"},
+        Mistake{head + teams + "[[sweeps]]\nname = \"s\"\nb.speed_factor = []\n",
+                "night.toml:11: sweeps.b.speed_factor = []: must have at least one value"},
+        Mistake{head + teams + "[[sweeps]]\nname = \"s\"\nb.speed_factor = [0.5,\n2]\n",
+                "night.toml:12: sweeps.b.speed_factor = 2: must be above 0"},
+        Mistake{head + teams + "[[sweeps]]\nname = \"s\"\nb.robots = [1, 7]\n",
+                "night.toml:11: sweeps.b.robots = 7: must be from 1 to 6"},
+        Mistake{head + teams + "[[sweeps]]\nname = \"s\"\nrealism.vision.dely = [1, 2]\n",
+                "did you mean vision.delay?"},
+        Mistake{head + teams + "[[sweeps]]\nname = \"s\"\nb.speed_factor = [1, 1]\n",
+                "night.toml:10: sweeps.name = 's': another condition has the name 's-1' already"},
+        Mistake{head + teams + "[panel]\n", "panel.opponents is missing"},
+        Mistake{head + teams + "[[panel.opponents]]\nname = \"x\"\n", "panel.opponents.command is missing"},
+        Mistake{head + teams + "[stopping]\n", "stopping.rule is missing; give fixed, precision"},
+        Mistake{head + teams + "[stopping]\nrule = \"sequental\"\n",
+                "night.toml:10: stopping.rule = 'sequental': there is no such one; did you mean sequential?"},
+        Mistake{head + teams + "[stopping]\nrule = \"precision\"\n", "stopping.standard_error is missing"},
+        Mistake{head + teams + "[stopping]\nrule = \"sequential\"\nh0 = 0.3\n",
+                "night.toml:11: stopping.h0 = 0.3: h0 must be below h1"},
+        Mistake{head + teams + "[stopping]\nrule = \"sequential\"\nalpha = 0.5\n",
+                "night.toml:11: stopping.alpha = 0.5: must be above 0 and below 0.5"},
+        Mistake{head + teams + "[stopping]\nrule = \"sequential\"\nh1 = 11\n",
+                "night.toml:11: stopping.h1 = 11: must be from -10 to 10"},
+        Mistake{head + teams + "[stopping]\nrule = \"sequential\"\nmetric = \"points\"\nclip = 3\n",
+                "night.toml:12: stopping.clip = 3: is for the goal difference"},
+        Mistake{head + teams + "[stopping]\nrule = \"fixed\"\nalpha = 0.1\n", "unknown key stopping.alpha"},
+        Mistake{head + teams + "[limits]\nteam_memory = 0\n",
+                "night.toml:10: limits.team_memory = 0: must be from 1 to"},
+        Mistake{head + teams + "[limits]\nsampled = 2\n", "limits.sampled = 2: must be from 0 to 1"},
+        Mistake{head + teams + "[limits]\nsilense = 2\n", "did you mean silence?"},
         Mistake{head + teams + "[[conditions]]\n", "conditions.name is missing"},
         Mistake{head + teams + "[[conditions]]\nname = \"x/y\"\n", "conditions.name = 'x/y': use letters"},
         Mistake{head + teams + "[[conditions]]\nname = \"x\"\n[[conditions]]\nname = \"x\"\n",
                 "night.toml:12: conditions.name = 'x': another condition"},
-        Mistake{
-            head + teams + "[[conditions]]\nname = \"x\"\nb.speed_facter = 0.5\n",
-            "night.toml:11: unknown key conditions.b.speed_facter = 0.5; known here are: command, name, "}));
+        Mistake{head + teams + "[[conditions]]\nname = \"x\"\nb.speed_facter = 0.5\n",
+                "night.toml:11: unknown key conditions.b.speed_facter = 0.5; did you mean speed_factor?"}));
 
 TEST(Design, ConditionsChangeTheRealismOfTheDesign) {
   const Design design =
@@ -189,6 +230,174 @@ TEST(Design, ConditionsChangeTheRealismOfTheDesign) {
             (Changes{{"radio.loss", 0.1}, {"vision.ball_sigma", 0.002}}));
   EXPECT_EQ(design.conditions[2].realism, (record::RealismConfig{"none", {}}));
   EXPECT_EQ(game(design, 2).config.realism, design.conditions[1].realism);
+}
+
+std::vector<std::string> names(const Design& design) {
+  std::vector<std::string> names;
+  for (const Condition& condition : design.conditions) names.push_back(condition.name);
+  return names;
+}
+
+TEST(Design, SweepsAreWrittenOutAsAGridWithTheLastListRunningFastest) {
+  const Design design = parse_design(head + teams + R"([[sweeps]]
+name = "press"
+b.robots = [1, [0, 3]]
+a.flags."--press" = [0.25, "off"]
+a.speed_factor = 0.5
+)",
+                                     "n");
+  EXPECT_THAT(names(design), ElementsAre("press-1-0.25", "press-1-off", "press-2-0.25", "press-2-off"));
+  const Condition& first = design.conditions[0];
+  EXPECT_EQ(first.sweep, "press");
+  EXPECT_THAT(first.a.command, ElementsAre("team-reference", "--press", "--press=0.25"));
+  EXPECT_EQ(first.a.speed_factor, 0.5);
+  EXPECT_THAT(first.b.robots, ElementsAre(0));
+  EXPECT_EQ(first.values, (std::map<std::string, double>{{"a.--press", 0.25}, {"b.robots", 1}}));
+  const Condition& last = design.conditions[3];
+  EXPECT_THAT(last.a.command, ElementsAre("team-reference", "--press", "--press=off"));
+  EXPECT_THAT(last.b.robots, ElementsAre(0, 3));
+  EXPECT_EQ(last.values, (std::map<std::string, double>{{"b.robots", 2}})) << "a text has no number";
+}
+
+TEST(Design, SweepsTakeRealismFlagsOfSeveralWordsAndLists) {
+  const Design design = parse_design(head + teams + R"([[conditions]]
+name = "plain"
+[[sweeps]]
+name = "noise"
+realism.vision.ball_sigma = [0.001, 0.002]
+[[sweeps]]
+name = "world"
+realism = ["none", "harsh"]
+[[sweeps]]
+name = "words"
+b.flags."--number {}" = [-3]
+b.arguments = [["-x"], ["-y", "-z"]]
+)",
+                                     "n", check_realism);
+  EXPECT_THAT(names(design), ElementsAre("plain", "noise-0.001", "noise-0.002", "world-none", "world-harsh",
+                                         "words--3-1", "words--3-2"));
+  EXPECT_EQ(design.conditions[2].realism.changes.at("vision.ball_sigma"), 0.002);
+  EXPECT_EQ(design.conditions[2].values,
+            (std::map<std::string, double>{{"realism.vision.ball_sigma", 0.002}}));
+  EXPECT_EQ(design.conditions[4].realism.preset, "harsh");
+  EXPECT_THAT(design.conditions[6].b.command,
+              ElementsAre("team-chaser", "--slow", "very much", "-y", "-z", "--number", "-3"));
+  EXPECT_TRUE(design.conditions[0].sweep.empty());
+}
+
+TEST(Design, APanelIsMetByBothInTheSamePairsWithTheSameSeeds) {
+  const Design design = parse_design(head + teams + R"([panel]
+head_to_head = true
+[[panel.opponents]]
+name = "x"
+command = "team-x"
+[[panel.opponents]]
+command = "team-y"
+robots = 3
+)",
+                                     "n");
+  EXPECT_THAT(names(design), ElementsAre("a-vs-b", "a-vs-x", "b-vs-x", "a-vs-team-y", "b-vs-team-y"));
+  EXPECT_FALSE(design.conditions[0].panel);
+  EXPECT_EQ(design.conditions[2].panel, (PanelPlace{"base", "x", 'b'}));
+  EXPECT_EQ(design.conditions[1].a.name, "ours");
+  EXPECT_EQ(design.conditions[2].a.name, "team-chaser");
+  EXPECT_EQ(design.conditions[4].b.name, "team-y");
+  EXPECT_THAT(design.conditions[4].b.robots, ElementsAre(0, 1, 2));
+  const record::MatchConfig one = game(design, 2).config;
+  const record::MatchConfig other = game(design, 4).config;
+  EXPECT_EQ(one.seed, other.seed);
+  EXPECT_EQ(one.blue_on_positive_half, other.blue_on_positive_half);
+  EXPECT_EQ(one.teams.yellow, other.teams.yellow) << "the same opponent";
+}
+
+TEST(Design, APanelMultipliesTheConditions) {
+  const Design design = parse_design(head + teams + R"([[conditions]]
+name = "slow"
+a.speed_factor = 0.5
+b.speed_factor = 0.6
+[[conditions]]
+name = "fast"
+[[panel.opponents]]
+command = "team-x"
+)",
+                                     "n");
+  EXPECT_THAT(names(design),
+              ElementsAre("slow-a-vs-team-x", "slow-b-vs-team-x", "fast-a-vs-team-x", "fast-b-vs-team-x"));
+  EXPECT_EQ(design.conditions[1].a.speed_factor, 0.6) << "b's changes go with b";
+  EXPECT_EQ(design.conditions[1].b.speed_factor, 1) << "an opponent is as it is";
+}
+
+TEST(Design, ReadsTeamsFromGit) {
+  const Design design = parse_design(R"(name = "n"
+pairs = 1
+[teams.a]
+repository = "../team"
+revision = "main"
+build = "make -j4"
+run = "bin/team --fast"
+[teams.b]
+command = "team-chaser"
+[[sweeps]]
+name = "history"
+a.revision = ["v1", "v2"]
+)",
+                                     "n");
+  ASSERT_EQ(design.conditions.size(), 2U);
+  EXPECT_EQ(design.conditions[1].a_source, (Source{"../team", "v2", "make -j4"}));
+  EXPECT_FALSE(design.conditions[1].b_source);
+  EXPECT_EQ(design.conditions[1].a.name, "main");
+  EXPECT_THAT(design.conditions[1].a.command, ElementsAre("bin/team", "--fast"));
+}
+
+TEST(Design, ReadsStoppingAndLimits) {
+  const auto stopping = [](const std::string& text) {
+    return parse_design("name = \"n\"\npairs = 400" + teams + "[stopping]\n" + text, "n").stopping;
+  };
+  EXPECT_EQ(parse_design(head + teams, "n").stopping.rule, StopRule::Fixed);
+  const Stopping precision = stopping("rule = \"precision\"\nstandard_error = 0.2\n");
+  EXPECT_EQ(precision.rule, StopRule::Precision);
+  EXPECT_EQ(precision.standard_error, 0.2);
+  EXPECT_EQ(precision.minimum_pairs, 25);
+  const Stopping sequential =
+      stopping("rule = \"sequential\"\nh0 = -0.1\nh1 = 0\nclip = 5\nbatch_pairs = 2\n");
+  EXPECT_EQ(sequential.metric, Metric::GoalDifference);
+  EXPECT_EQ(sequential.h0, -0.1);
+  EXPECT_EQ(sequential.clip, 5);
+  EXPECT_EQ(sequential.minimum_pairs, 8);
+  EXPECT_EQ(sequential.batch_pairs, 2);
+  const Stopping points = stopping("rule = \"sequential\"\nmetric = \"points\"\n");
+  EXPECT_EQ(points.metric, Metric::Points);
+  const Limits limits = parse_design(head + teams + "[limits]\nteam_memory = 100\nsilence = 5\n", "n").limits;
+  EXPECT_EQ(limits.team_memory, 100);
+  EXPECT_EQ(limits.silence, 5);
+  EXPECT_EQ(limits.game, Limits{}.game);
+}
+
+TEST(CanonicalDesign, KnowsATeamFromGitByItsCommitNotByWhereItIs) {
+  Design design = parse_design(
+      head +
+          "[teams.a]\nrepository = \"x\"\nrevision = \"main\"\nrun = \"./t\"\n[teams.b]\ncommand = \"t\"\n",
+      "n");
+  Condition& condition = design.conditions.front();
+  condition.a_source->commit = std::string(40, 'a');
+  const std::string before = canonical(design);
+  condition.a.directory = "/elsewhere";
+  condition.a_source->repository = "/elsewhere";
+  condition.a_source->revision = "other-name";
+  EXPECT_EQ(canonical(design), before);
+  condition.a_source->commit = std::string(40, 'b');
+  EXPECT_NE(canonical(design), before);
+}
+
+TEST(CanonicalDesign, HasTheStoppingRuleButNoLimitThatDecidesNoGame) {
+  const std::string base = canonical(parse_design(head + teams, "n"));
+  EXPECT_EQ(canonical(parse_design(head + teams + "[limits]\nsilence = 5\n", "n")), base);
+  EXPECT_NE(canonical(parse_design(head + teams + "[limits]\nteam_memory = 5\n", "n")), base);
+  EXPECT_EQ(canonical(parse_design(head + teams + "[stopping]\nrule = \"fixed\"\n", "n")), base);
+  const std::string rule = "[stopping]\nrule = \"sequential\"\n";
+  const std::string sequential = canonical(parse_design(head + teams + rule, "n"));
+  EXPECT_NE(sequential, base);
+  EXPECT_NE(canonical(parse_design(head + teams + rule + "metric = \"points\"\n", "n")), sequential);
 }
 
 TEST(Design, ThatIsNoFileIsNamed) {

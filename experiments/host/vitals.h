@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+
+#include "sim/truth/truth.h"
+#include "sim/world/game_state.h"
+#include "sim/world/referee_message.h"
+#include "sim/world/robot_command.h"
+
+namespace host {
+
+/// Signs that a game was one: both teams moved, the robots that may play were there, the referee was heard.
+///
+/// A game in which a team's program runs but controls nothing ends 0:0 like any other and would count;
+/// harness reviews found such games in published tables. Looked at once a simulated second, so it costs
+/// nothing.
+class Vitals {
+ public:
+  // Numbers of ours.
+  static constexpr double least_way = 0.3;     ///< [m] from the first place: three robot radii, no mere push
+  static constexpr int longest_miscount = 10;  ///< [s] of GAME_OFF in a row, where cards are acted on at once
+                                               ///< (robot_count.h); coming back may have to wait for room
+
+  /// One look at the game.
+  void add(const truth::Frame& truth, const world::PerTeam<world::TeamCommands>& commands,
+           const world::RefereeMessage& message, const world::GameState& state);
+
+  /// What was missing, as a sentence; empty when nothing was.
+  std::string complaint() const;
+
+ private:
+  void count(const truth::Frame& truth, const world::RefereeMessage& message);
+
+  std::vector<truth::Robot> first_;   ///< robots at the first look
+  world::PerTeam<double> way_{};      ///< [m] the furthest any robot was from its first place
+  world::PerTeam<bool> commanded_{};  ///< some robot was told to move
+  world::PerTeam<int> miscounts_{};   ///< looks in a row
+  std::string miscount_;              ///< the first that lasted too long
+  std::uint32_t first_command_ = 0;   ///< the referee's counter at the first look
+  bool heard_ = false;                ///< it has given a command since
+  bool in_play_ = false;
+};
+
+}  // namespace host

@@ -1,0 +1,149 @@
+#include "experiments/process/family.h"
+
+#include <dirent.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <thread>
+
+namespace process {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::seconds patience{2};  // KILL takes microseconds; a process in an uninterruptible wait
+                                             // (a dead network disk) must not hold a night up
+constexpr std::size_t most_members = 4096;   // of a family, so that a fork bomb cannot hold us either
+
+/// The names in a folder of /proc that are numbers.
+std::vector<pid_t> numbers_in(const std::string& folder) {
+  struct Close {
+    void operator()(DIR* directory) const { ::closedir(directory); }
+  };
+  std::vector<pid_t> numbers;
+  const std::unique_ptr<DIR, Close> directory(::opendir(folder.c_str()));
+  if (!directory) return numbers;
+  while (const dirent* entry = ::readdir(directory.get())) {
+    const std::string_view name = entry->d_name;
+    const bool digits =
+        std::all_of(name.begin(), name.end(), [](char letter) { return letter >= '0' && letter <= '9'; });
+    if (digits) numbers.push_back(static_cast<pid_t>(std::stol(std::string(name))));
+  }
+  return numbers;
+}
+
+std::string folder_of(pid_t process) { return "/proc/" + std::to_string(process); }
+
+/// Children of all its threads; nothing on a kernel without CONFIG_PROC_CHILDREN.
+std::vector<pid_t> children_of(pid_t process) {
+  std::vector<pid_t> children;
+  const std::string tasks = folder_of(process) + "/task";
+  for (const pid_t thread : numbers_in(tasks)) {
+    std::ifstream stream(tasks + "/" + std::to_string(thread) + "/children");
+    children.insert(children.end(), std::istream_iterator<pid_t>(stream), std::istream_iterator<pid_t>());
+  }
+  return children;
+}
+
+bool was_started_with(pid_t process, const std::string& entry) {
+  std::ifstream stream(folder_of(process) + "/environ", std::ios::binary);  // empty for a dead process
+  for (std::string line; std::getline(stream, line, '\0');) {
+    if (line.starts_with(entry)) return true;
+  }
+  return false;
+}
+
+/// KILL through a pidfd, so that it reaches nobody who has got the number meanwhile.
+void end(pid_t process, const std::string& entry) {
+  const int handle = static_cast<int>(::syscall(SYS_pidfd_open, process, 0U));
+  if (handle < 0) return;
+  if (was_started_with(process, entry)) ::syscall(SYS_pidfd_send_signal, handle, SIGKILL, nullptr, 0U);
+  ::close(handle);
+}
+
+}  // namespace
+
+void adopt_orphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1UL); }
+
+std::vector<pid_t> children() { return children_of(::getpid()); }
+
+std::size_t reap_adopted(std::span<const pid_t> known) {
+  std::size_t reaped = 0;
+  for (const pid_t child : children()) {
+    if (std::find(known.begin(), known.end(), child) != known.end()) continue;
+    if (::waitpid(child, nullptr, WNOHANG) == child) ++reaped;
+  }
+  return reaped;
+}
+
+std::size_t end_adopted(std::span<const pid_t> known) {
+  std::size_t ended = 0;
+  // Whoever dies may leave us its own children; each round goes one generation further down.
+  for (const Clock::time_point until = Clock::now() + patience; Clock::now() < until;) {
+    bool anybody = false;
+    for (const pid_t child : children()) {
+      if (std::find(known.begin(), known.end(), child) != known.end()) continue;
+      anybody = true;
+      if (::waitpid(child, nullptr, WNOHANG) == child) continue;
+      ::kill(child, SIGKILL);  // ours until it is reaped, so the number is its own
+      ++ended;
+      std::this_thread::sleep_for(std::chrono::milliseconds{1});
+      ::waitpid(child, nullptr, WNOHANG);
+    }
+    if (!anybody) break;
+  }
+  return ended;
+}
+
+std::int64_t resident_memory(pid_t process) {
+  std::ifstream stream(folder_of(process) + "/statm");  // sizes in pages: whole, resident, ...
+  std::int64_t whole = 0;
+  std::int64_t resident = 0;
+  stream >> whole >> resident;
+  return stream ? resident * ::sysconf(_SC_PAGESIZE) : 0;
+}
+
+std::int64_t family_memory(pid_t process) {
+  std::vector<pid_t> members = {process};
+  std::int64_t sum = 0;
+  for (std::size_t i = 0; i < members.size() && i < most_members; ++i) {
+    sum += resident_memory(members[i]);
+    const std::vector<pid_t> children = children_of(members[i]);
+    members.insert(members.end(), children.begin(), children.end());
+  }
+  return sum;
+}
+
+std::vector<pid_t> started_with(const std::string& entry) {
+  std::vector<pid_t> found;
+  for (const pid_t process : numbers_in("/proc")) {
+    if (process != ::getpid() && was_started_with(process, entry)) found.push_back(process);
+  }
+  return found;
+}
+
+std::size_t end_started_with(const std::string& entry) {
+  std::set<pid_t> seen;
+  for (const Clock::time_point until = Clock::now() + patience; Clock::now() < until;) {
+    const std::vector<pid_t> found = started_with(entry);
+    if (found.empty()) break;
+    for (const pid_t process : found) end(process, entry);
+    seen.insert(found.begin(), found.end());
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+  }
+  return seen.size();
+}
+
+}  // namespace process

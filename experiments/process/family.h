@@ -1,0 +1,45 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+// Processes that nobody holds as a Child: what our children have started, and what they left behind.
+namespace process {
+
+/// From now on orphans among our descendants become our children (PR_SET_CHILD_SUBREAPER), also those that
+/// made a session of their own.
+void adopt_orphans();
+
+/// Our children, dead ones that were not reaped included.
+std::vector<pid_t> children();
+
+/// Reaps dead children of ours that nobody holds: adopted orphans.
+///
+/// @param known  children that are reaped by their owners
+/// @return       how many there were
+std::size_t reap_adopted(std::span<const pid_t> known);
+
+/// Ends with KILL and reaps all children of ours that nobody holds; returns how many were alive.
+std::size_t end_adopted(std::span<const pid_t> known);
+
+/// Memory [bytes] a process holds (resident, shared pages included); 0 when there is no such process.
+std::int64_t resident_memory(pid_t process);
+
+/// The same of a process and all its descendants together; shared pages count in each of them.
+std::int64_t family_memory(pid_t process);
+
+/// Living processes, never this one, that were started with an environment in which a line "NAME=VALUE"
+/// begins with `entry`. Whoever starts a program passes such a line on unless it takes it out on purpose.
+std::vector<pid_t> started_with(const std::string& entry);
+
+/// Ends all of them with KILL, also those they start meanwhile, within 2 s.
+///
+/// @return  how many were found
+std::size_t end_started_with(const std::string& entry);
+
+}  // namespace process

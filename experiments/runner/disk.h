@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+namespace runner {
+
+/// Bytes that we may still write on the disk of that folder; the largest number when it cannot be asked, so
+/// that a strange file system does not stop a run.
+std::int64_t free_bytes(const std::filesystem::path& folder);
+
+/// Bytes of all files below a folder.
+std::int64_t size_of(const std::filesystem::path& folder);
+
+}  // namespace runner

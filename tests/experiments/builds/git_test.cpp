@@ -1,0 +1,78 @@
+#include "experiments/builds/git.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/experiments/builds/repository.h"
+
+namespace builds {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::string complaint(const std::string& repository, const std::string& revision) {
+  try {
+    commit_of(repository, revision, "team a");
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Git, FindsBranchTagAndCommit) {
+  const Repository repository;
+  const std::string path = repository.path();
+  const std::string main = commit_of(path, "main", "a");
+  EXPECT_EQ(main.size(), 40U);
+  EXPECT_EQ(commit_of(path, "v1", "a"), main);
+  EXPECT_EQ(commit_of(path, main.substr(0, 10), "a"), main);
+  EXPECT_NE(commit_of(path, "feature", "a"), main);
+}
+
+TEST(Git, FindsABranchThatOnlyTheOriginHas) {
+  const Repository repository;
+  const fs::path clone = repository.folder() / "clone";
+  repository.shell("git clone -q . '" + clone.string() + "'");
+  EXPECT_EQ(commit_of(clone, "feature", "a"), commit_of(repository.path(), "feature", "a"));
+}
+
+TEST(Git, NamesTeamRepositoryAndRevisionThatAreWrong) {
+  const Repository repository;
+  EXPECT_THAT(complaint(repository.path(), "featur"),
+              HasSubstr("team a: repository '" + repository.path().string() +
+                        "': has no revision 'featur'; did you mean feature?"));
+  EXPECT_THAT(complaint(repository.folder(), "main"), HasSubstr("is no git repository; git says: "));
+  EXPECT_THAT(complaint("/nowhere", "main"), HasSubstr("repository '/nowhere': is no git repository"));
+  EXPECT_THAT(complaint(repository.path(), "--all"), HasSubstr("has no revision '--all'"))
+      << "not taken for a flag";
+}
+
+TEST(Git, ChecksOutACommitAlsoWhereAnOldCheckoutWasDeletedByHand) {
+  const Repository repository;
+  const fs::path folder = repository.folder() / "checkout";
+  const std::string commit = commit_of(repository.path(), "feature", "a");
+  for (int i = 0; i < 2; ++i) {
+    check_out(repository.path(), commit, folder, "a");
+    std::ifstream stream(folder / "team.sh");
+    std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    EXPECT_THAT(text, HasSubstr("two"));
+    fs::remove_all(folder);
+  }
+}
+
+TEST(Git, TellsAddressesFromFolders) {
+  EXPECT_TRUE(is_remote("https://example.org/team.git"));
+  EXPECT_TRUE(is_remote("git@example.org:team.git"));
+  EXPECT_FALSE(is_remote("."));
+  EXPECT_FALSE(is_remote("/home/me/a:b"));
+}
+
+TEST(ListenTo, EndsWhatTakesTooLong) {
+  const Said said = listen_to({"/bin/sh", "-c", "echo begun; sleep 100"}, {}, std::chrono::milliseconds{300});
+  EXPECT_FALSE(said.well);
+  EXPECT_EQ(said.text, "begun\n");
+}
+
+}  // namespace
+}  // namespace builds

@@ -1,0 +1,117 @@
+#include "experiments/process/family.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <thread>
+
+#include "experiments/process/child.h"
+
+namespace process {
+namespace {
+
+using namespace std::chrono_literals;
+
+bool soon(const std::function<bool()>& condition) {
+  for (int i = 0; i < 2000; ++i) {  // 20 s, for a loaded machine; all of it needs milliseconds
+    if (condition()) return true;
+    std::this_thread::sleep_for(10ms);
+  }
+  return false;
+}
+
+class Family : public testing::Test {
+ protected:
+  /// A shell with our mark in its environment.
+  Child shell(const std::string& script, const std::string& mark) const {
+    Command command;
+    command.arguments = {"sh", "-c", script};
+    command.environment = {{"FAMILY_TEST", mark}};
+    return Child(command);
+  }
+  std::string mark_ = std::to_string(::getpid()) + "/";
+  std::string entry_ = "FAMILY_TEST=" + mark_;
+};
+
+TEST_F(Family, FindsProcessesByWhatTheyWereStartedWithInAnySession) {
+  Child child = shell("setsid sleep 1000 & sleep 1000 & wait", mark_ + "a/");
+  ASSERT_TRUE(soon([&] { return started_with(entry_ + "a/").size() == 3; }));
+  EXPECT_TRUE(started_with(entry_ + "b/").empty());
+  child.stop(0ms);
+  ASSERT_TRUE(soon([&] { return started_with(entry_ + "a/").size() == 1; })) << "the group does not reach it";
+  EXPECT_EQ(end_started_with(entry_ + "a/"), 1U);
+  EXPECT_TRUE(started_with(entry_ + "a/").empty());
+}
+
+TEST_F(Family, EndsOnlyThoseThatAreMeant) {
+  Child meant = shell("exec sleep 1000", mark_ + "1/");
+  Child other = shell("exec sleep 1000", mark_ + "11/");
+  ASSERT_TRUE(soon([&] { return started_with(entry_).size() == 2; }));
+  EXPECT_EQ(end_started_with(entry_ + "1/"), 1U);
+  EXPECT_TRUE(meant.wait(20s));
+  EXPECT_FALSE(other.has_ended());
+  other.stop(0ms);
+}
+
+TEST_F(Family, EndsThoseThatGoOnStartingOthers) {
+  // Each process starts the next one in a session of its own and ends; at most 200 of them, for a test that
+  // fails.
+  Child child = shell(
+      "s='[ $2 -gt 0 ] || exit; sleep 0.05; setsid sh -c \"$1\" sh \"$1\" $(($2 - 1)) &'; "
+      "setsid sh -c \"$s\" sh \"$s\" 200",
+      mark_ + "chain/");
+  ASSERT_TRUE(soon([&] { return !started_with(entry_ + "chain/").empty(); }));
+  std::this_thread::sleep_for(120ms);
+  child.stop(0ms);
+  end_started_with(entry_ + "chain/");
+  EXPECT_TRUE(started_with(entry_ + "chain/").empty());
+}
+
+TEST_F(Family, NobodyIsFoundWhereNobodyIs) { EXPECT_EQ(end_started_with(entry_ + "nobody/"), 0U); }
+
+TEST_F(Family, AddsUpTheMemoryOfAllDescendants) {
+  const std::int64_t own = resident_memory(::getpid());
+  EXPECT_GT(own, 1 << 20);
+  EXPECT_GE(family_memory(::getpid()), own);
+  EXPECT_EQ(resident_memory(-1), 0);
+  // Two shells deep a string of 32 MiB is made; the outer shells are small.
+  Child child =
+      shell("sh -c 'head -c 33554432 /dev/zero | tr \"\\\\0\" x | (x=$(cat); sleep 1000)'; true", mark_);
+  EXPECT_TRUE(soon([&] { return family_memory(child.pid()) > std::int64_t{32} << 20; }));
+  EXPECT_LT(resident_memory(child.pid()), 16 << 20);
+  child.stop(0ms);
+}
+
+// In a process of its own: who adopts orphans adopts them from then on.
+TEST_F(Family, AdoptsOrphansAndReapsThem) {
+  const pid_t tester = ::fork();
+  if (tester == 0) {
+    adopt_orphans();
+    Child held = shell("exec sleep 1000", mark_);
+    Child parent = shell("setsid sleep 1000 & setsid true & exit 0", mark_);
+    parent.wait(20s);
+    const std::vector<pid_t> known = {held.pid(), parent.pid()};
+    if (!soon([&] { return children().size() == 4; })) ::_exit(1);  // both orphans have come
+    std::size_t reaped = 0;
+    if (!soon([&] { return (reaped += reap_adopted(known)) == 1; }))
+      ::_exit(2);                            // `true` has ended by itself
+    if (end_adopted(known) < 1) ::_exit(3);  // and `sleep` has not
+    if (children().size() != 2) ::_exit(4);
+    if (held.has_ended()) ::_exit(5);
+    held.stop(0ms);
+    parent.stop(0ms);
+    ::_exit(children().empty() ? 0 : 6);
+  }
+  int status = 0;
+  ::waitpid(tester, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+}  // namespace
+}  // namespace process
