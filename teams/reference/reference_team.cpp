@@ -19,7 +19,7 @@ constexpr double choose_places_for = 1.5;
 
 // Nobody waits for us to find better ones: the referee waits until everyone is at rest.
 bool holds_places(Phase phase) {
-  return is_dead(phase) || phase == Phase::PrepareKickoff || phase == Phase::PreparePenalty;
+  return is_dead(phase) || is_kickoff(phase) || phase == Phase::PreparePenalty;
 }
 
 }  // namespace
@@ -51,6 +51,11 @@ void ReferenceTeam::notice_phase(const kit::View& view) {
   const Phase phase = view.game.phase;
   const bool ball_jumped = (view.ball.position - phase_ball_).norm() > 0.3 && phase != Phase::Running;
   if (phase == phase_ && !ball_jumped) return;
+  if (phase_ == Phase::PrepareKickoff && phase == Phase::Kickoff) {
+    phase_ = phase;  // places stay: who changes them now crosses the halfway line on the way
+    winner_.forget();
+    return;
+  }
   if (phase != phase_ || is_dead(phase)) places_.fill({});
   phase_ = phase;
   phase_began_ = view.time;

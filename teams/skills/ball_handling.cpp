@@ -161,10 +161,14 @@ Order kick_ahead(const kit::View& view, const kit::Robot& robot, double speed) {
   order.velocity = std::max(0.3, robot.velocity.dot(ahead) + 0.1) * ahead;
   order.dribble = true;
   order.kick_speed = speed;
+  // A chip that flies into their goal does not count (laws of 2015, Law 12, decision 7).
+  const Vector2d to_goal = view.their_goal() - robot.position;
+  const bool at_goal = to_goal.norm() < 4 && to_goal.dot(ahead) > 0 &&
+                       std::abs(to_goal.dot(left_of(ahead))) < view.field().goal_width;
   for (const kit::Robot& other : view.opponents) {
     const Vector2d to = other.position - robot.position;
     const double forward = to.dot(ahead);
-    if (forward > 0 && forward < 0.5 && std::abs(to.dot(left_of(ahead))) < 0.1) {
+    if (forward > 0 && forward < 0.5 && std::abs(to.dot(left_of(ahead))) < 0.1 && !at_goal) {
       order.kick_speed = 3.5;  // [m/s] at 45 degrees: 1.2 m to the first landing
       order.kick_angle = M_PI / 4;
     }

@@ -7,6 +7,8 @@ namespace skills {
 namespace {
 
 constexpr double keep_side = 0.2;  // [m]
+// [m] More than any way round on the field: behind a goal there is no room beside the wall.
+constexpr double no_way = 5;
 
 // The first disc the segment cuts, or null. Discs we stand in are left by steering, not by the path.
 const Disc* first_in_the_way(const Vector2d& from, const Vector2d& to, const Obstacles& obstacles) {
@@ -141,6 +143,9 @@ Path find_path(const Vector2d& from, const Vector2d& wanted, const Obstacles& ob
       for (std::size_t i = 0; i < obstacles.count; ++i) {
         const Disc& other = obstacles.discs[i];
         if (&other != disc && (via - other.center).norm() < other.radius) cost += 0.5;
+      }
+      if (std::abs(via.x()) > obstacles.walls.x() || std::abs(via.y()) > obstacles.walls.y()) {
+        cost += no_way;
       }
       if (side_before != 0 && side != side_before && corner == 0) cost += keep_side;
       if (best.side != 0 && cost >= best_cost) continue;

@@ -184,6 +184,18 @@ TEST(FindPath, KeepsItsSideWhenTheOtherIsOnlyALittleShorter) {
   EXPECT_EQ(find_path({0, 0}, {2, 0}, obstacles, 1).side, 1);
 }
 
+TEST(FindPath, DoesNotGoBehindTheGoalWhereTheWallIs) {
+  kit::View view = running({0, 0});
+  const kit::Robot& robot = put(view.own, 1, {5.05, -1.45});
+  Order order;
+  order.target = {3.2, 0.3};
+  const Obstacles obstacles = obstacles_for(view, robot, order);
+  for (const int side_before : {-1, 0, 1}) {
+    const Path path = find_path(robot.position, order.target, obstacles, side_before);
+    EXPECT_LT(path.via.x(), 4.5) << "in front of the goal, side " << side_before;
+  }
+}
+
 TEST(FindPath, LeavesAnAreaByTheShortestWay) {
   Obstacles obstacles;
   obstacles.add({{0, 0}, 0.7, true});
