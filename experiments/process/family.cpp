@@ -136,12 +136,16 @@ std::vector<pid_t> started_with(const std::string& entry) {
 
 std::size_t end_started_with(const std::string& entry) {
   std::set<pid_t> seen;
+  int empty_looks = 0;
   for (const Clock::time_point until = Clock::now() + patience; Clock::now() < until;) {
     const std::vector<pid_t> found = started_with(entry);
-    if (found.empty()) break;
+    // Twice: one may have been replaced by its child between the list of numbers and the look at it, or be in
+    // the middle of an exec, where it has no environment.
+    empty_looks = found.empty() ? empty_looks + 1 : 0;
+    if (empty_looks == 2) break;
     for (const pid_t process : found) end(process, entry);
     seen.insert(found.begin(), found.end());
-    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    std::this_thread::sleep_for(std::chrono::milliseconds{found.empty() ? 5 : 1});
   }
   return seen.size();
 }
