@@ -2,6 +2,7 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -212,6 +213,34 @@ void write_tables(const fs::path& folder, const std::vector<judge::GameResult>& 
   write(folder / "failures.csv", judge::as_csv(judge::failures(games, judge::acting_name)));
 }
 
+/// One passage of one game again, tick by tick; `where` is GAME:FIRST-LAST as in failures.csv.
+int show(const schedule::Design& design, const std::string& where) {
+  const auto colon = where.rfind(':');
+  const auto dash = where.rfind('-');
+  judge::Passage passage;
+  const auto number = [&](std::size_t from, std::size_t to, std::int64_t& value) {
+    const char* end = where.data() + to;
+    return std::from_chars(where.data() + from, end, value).ptr == end && from < to;
+  };
+  if (colon == std::string::npos || dash == std::string::npos || dash < colon ||
+      !number(colon + 1, dash, passage.first) || !number(dash + 1, where.size(), passage.last)) {
+    throw std::invalid_argument("--show " + where +
+                                ": give GAME:FIRST-LAST, ticks, as base-0003-1:10624-10804");
+  }
+  const schedule::Game game = schedule::find_game(design, where.substr(0, colon));
+  passage.out = &std::cout;
+  runner::Signals signals;
+  host::Options settings;
+  settings.cpu = ::sched_getcpu();
+  bool over = false;
+  settings.interrupted = [&] { return over || signals.wait(std::chrono::milliseconds{0}).has_value(); };
+  settings.on_second = [&](world::Time time, const auto&) {
+    over = world::seconds(time) * world::ticks_per_second > static_cast<double>(passage.last + 120);
+  };
+  judge::play_judged(where.substr(0, colon), game.config, {}, settings, passage);
+  return done;
+}
+
 }  // namespace
 
 int judge(const JudgeOptions& options) {
@@ -219,6 +248,7 @@ int judge(const JudgeOptions& options) {
   for (std::size_t i = 0; i < design.conditions.size(); ++i) {
     host::check(schedule::game(design, 2 * i).config);
   }
+  if (!options.show.empty()) return show(design, options.show);
   Judging judging(options, design);
   std::cerr << fmt::format("{}: {} games, realism {}, rule set {}, {} shadows, results in {}", design.name,
                            judging.count(), record::text(design.realism), design.rules,

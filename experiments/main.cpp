@@ -136,6 +136,9 @@ void add_judge(CLI::App& main, commands::JudgeOptions& options) {
                  "compare another referee too, as rules=paper, touch=accel+line or vision.ball_sigma=0.002; "
                  "may be repeated")
       ->allow_extra_args(false);
+  app.add_option("--show", options.show,
+                 "only play one game again and tell a passage tick by tick: GAME:FIRST-LAST, as failures.csv "
+                 "names it");
   app.add_flag("--sweep", options.sweep, "compare referees with worse and better eyes: 14 shadows");
 }
 

@@ -1,9 +1,12 @@
 #include "experiments/judge/game.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <deque>
 #include <memory>
+#include <ostream>
 #include <stdexcept>
 #include <utility>
 
@@ -92,9 +95,63 @@ class Watch {
     before_ = referee.state();
   }
 
+  void end() { laws_.finish(); }
+
+  /// One line: the exact ball, who touches it, and what the referee sees of it.
+  void tell(const engine::Engine& engine, const referee::Referee& referee, std::ostream& out) const {
+    const truth::Frame& truth = engine.truth();
+    out << fmt::format("{:6} {:8.3f} s  {:7} ball ({:7.3f}, {:7.3f}, {:6.3f}) m {:5.2f} m/s", truth.tick,
+                       world::seconds(truth.time), world::name(referee.state().location),
+                       truth.ball.position.x(), truth.ball.position.y(), truth.ball.position.z(),
+                       truth.ball.velocity.norm());
+    if (const auto& ball = referee.frame().ball) {
+      out << fmt::format("  {} ({:7.3f}, {:7.3f}) at {:.3f} s", ball->observed ? "seen" : "lost",
+                         ball->position.x(), ball->position.y(), world::seconds(referee.frame().time));
+    }
+    const auto who = [](world::RobotId id) { return fmt::format("{} {}", world::name(id.team), id.number); };
+    for (const truth::Robot& robot : truth.robots) {
+      const double distance =
+          (robot.position - truth.ball.position.head<2>()).norm() - model_.geometry.field.robot_radius;
+      if (distance < 0.6) out << fmt::format("  {} {:.3f} m", who(robot.id), distance);
+    }
+    for (const truth::Contact& contact : truth.contacts) {
+      out << fmt::format("  {} touches {:.1f} mN s", who(contact.robot), 1000 * contact.impulse);
+    }
+    for (const truth::Kick& kick : truth.kicks) {
+      out << fmt::format("  {} kicks {:.2f} m/s", who(kick.robot), kick.velocity.norm());
+    }
+    if (referee.frame().time == last_frame_) {
+      for (const world::Touch& touch : referee.frame().touches) {
+        out << fmt::format("  {} told to touch at {:.3f} s ({:.2f})", who(touch.robot),
+                           world::seconds(touch.time), touch.probability);
+      }
+    }
+    out << "\n";
+  }
+
+  /// What the laws and the referee's detectors say of the passage.
+  void tell_events(const Passage& passage) const {
+    const auto inside = [&](world::Time time) {
+      const double tick = world::seconds(time) * world::ticks_per_second;
+      return tick >= static_cast<double>(passage.first) && tick <= static_cast<double>(passage.last);
+    };
+    for (const TrueEvent& event : laws_.events()) {
+      if (!inside(event.time)) continue;
+      *passage.out << fmt::format("truth: {} at {:.3f} s, {:.3f}, margin {:.2f}{}\n",
+                                  judge::name(event.event), world::seconds(event.time), event.value,
+                                  event.margin, event.ambiguous ? ", ambiguous" : "");
+    }
+    for (const Call& call : ours_.calls()) {
+      if (!inside(call.time)) continue;
+      *passage.out << fmt::format("call: {} at {:.3f} s, reported at {:.3f} s\n", judge::name(call.event),
+                                  world::seconds(call.time), world::seconds(call.reported));
+    }
+  }
+
   void finish(GameResult& result) {
     const std::vector<TrueEvent>& truth = laws_.events();
     for (const TrueEvent& event : truth) {
+      if (event.late) continue;
       const auto n = static_cast<std::size_t>(event.event);
       if (event.margin >= 1) ++result.happened[n];
       if (event.close()) ++result.close[n];
@@ -169,12 +226,16 @@ class Watch {
 }  // namespace
 
 GameResult play_judged(const std::string& game, const record::MatchConfig& config,
-                       const std::vector<ShadowConfig>& shadows, const host::Options& options) {
+                       const std::vector<ShadowConfig>& shadows, const host::Options& options,
+                       const Passage& passage) {
   Watch watch(config, shadows);
   host::Options with_watch = options;
   with_watch.on_start = [&](engine::Engine& engine) { watch.start(engine); };
   with_watch.on_tick = [&](const engine::Engine& engine, const referee::Referee& referee) {
     watch.tick(engine, referee);
+    if (engine.tick() >= passage.first && engine.tick() <= passage.last) {
+      watch.tell(engine, referee, *passage.out);
+    }
   };
   const record::MatchRecord record = host::play(config, with_watch);
 
@@ -185,7 +246,9 @@ GameResult play_judged(const std::string& game, const record::MatchConfig& confi
   result.ticks = record.ticks;
   result.hash = record.hash;
   if (record.at_fault != record::Party::Nobody) result.fault = record.reason;
+  watch.end();
   watch.finish(result);
+  if (passage.out != nullptr) watch.tell_events(passage);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <iosfwd>
 #include <map>
 #include <string>
 #include <vector>
@@ -49,11 +50,18 @@ struct GameResult {
   std::vector<TouchCount> touches;
 };
 
+/// A passage to be told tick by tick.
+struct Passage {
+  std::int64_t first = 0, last = -1;  ///< ticks
+  std::ostream* out = nullptr;
+};
+
 /// Plays the game, judged by its rule set, with all shadows looking on.
 ///
 /// A configuration with a recording to continue replays that, without teams.
 /// @throws std::invalid_argument for an unknown rule set or key
 GameResult play_judged(const std::string& game, const record::MatchConfig& config,
-                       const std::vector<ShadowConfig>& shadows, const host::Options& options = {});
+                       const std::vector<ShadowConfig>& shadows, const host::Options& options = {},
+                       const Passage& passage = {});
 
 }  // namespace judge

@@ -40,12 +40,14 @@ std::optional<world::Touch> touch_in(const Json& json) {
 Json json_of(const TrueEvent& truth) {
   Json json;
   json["time"] = ns(truth.time);
+  if (truth.until) json["until"] = ns(*truth.until);
   json["margin"] = truth.margin;
   json["value"] = truth.value;
   if (truth.by) json["by"] = text_of(*truth.by);
   json["place"] = place_of(truth.place);
   if (truth.ambiguous) json["ambiguous"] = true;
   if (truth.over_goal) json["over_goal"] = true;
+  if (truth.late) json["late"] = true;
   if (!truth.last) return json;
   Json last;
   last["robot"] = text_of(truth.last->robot);
@@ -63,12 +65,14 @@ TrueEvent truth_in(const Json& json, Event event) {
   TrueEvent truth;
   truth.event = event;
   truth.time = time_in(json.at("time"));
+  if (json.contains("until")) truth.until = time_in(json.at("until"));
   truth.margin = json.at("margin").get<double>();
   truth.value = json.at("value").get<double>();
   if (json.contains("by")) truth.by = robot_in(json.at("by").get<std::string>());
   truth.place = place_in(json.at("place"));
   truth.ambiguous = json.value("ambiguous", false);
   truth.over_goal = json.value("over_goal", false);
+  truth.late = json.value("late", false);
   if (!json.contains("last")) return truth;
   const Json& its = json.at("last");
   LastTouch last;
@@ -91,6 +95,7 @@ Json json_of(const Call& call) {
   json["reported"] = ns(call.reported);
   if (call.by) json["by"] = text_of(*call.by);
   json["place"] = place_of(call.place);
+  if (call.late) json["late"] = true;
   if (call.last) json["last"] = touch_of(call.last);
   if (!call.witnesses.empty()) {
     json["witnesses"] = Json::array();
@@ -106,6 +111,7 @@ Call call_in(const Json& json, Event event) {
   call.reported = time_in(json.at("reported"));
   if (json.contains("by")) call.by = robot_in(json.at("by").get<std::string>());
   call.place = place_in(json.at("place"));
+  call.late = json.value("late", false);
   if (json.contains("last")) call.last = touch_in(json.at("last"));
   if (json.contains("witnesses")) {
     for (const Json& touch : json.at("witnesses")) call.witnesses.push_back(touch_in(touch));

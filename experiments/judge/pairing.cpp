@@ -14,6 +14,15 @@ int rank(const TrueEvent& event) {
   return event.margin > -1 ? 1 : 2;
 }
 
+/// In time, between a call and an event [s].
+double distance(const TrueEvent& event, world::Time call) {
+  const double late = world::seconds(call - event.time);
+  // A clear exit or goal has its moment; what goes on may be called while it does.
+  const bool moment = (event.event == Event::Exit || event.event == Event::Goal) && !event.close();
+  if (late < 0 || moment || !event.until) return std::abs(late);
+  return std::max(0.0, world::seconds(call - *event.until));
+}
+
 }  // namespace
 
 std::string_view name(Result result) {
@@ -51,7 +60,7 @@ std::vector<Case> pair(const std::string& shadow, std::vector<TrueEvent> truth,
     std::vector<Pair> pairs;
     for (std::size_t t = 0; t < happened.size(); ++t) {
       for (std::size_t c = 0; c < called.size(); ++c) {
-        const double apart = std::abs(world::seconds(called[c]->time - happened[t]->time));
+        const double apart = distance(*happened[t], called[c]->time);
         if (apart <= match_window(event)) pairs.push_back({rank(*happened[t]), apart, t, c});
       }
     }
@@ -69,11 +78,11 @@ std::vector<Case> pair(const std::string& shadow, std::vector<TrueEvent> truth,
       cases.push_back({shadow, event, Result::Found, it, *called[one.call]});
     }
     for (std::size_t t = 0; t < happened.size(); ++t) {
-      const bool is_case = !truth_used[t] && happened[t]->margin > -1;
+      const bool is_case = !truth_used[t] && happened[t]->margin > -1 && !happened[t]->late;
       if (is_case) cases.push_back({shadow, event, Result::Missed, *happened[t], std::nullopt});
     }
     for (std::size_t c = 0; c < called.size(); ++c) {
-      if (call_used[c]) continue;
+      if (call_used[c] || called[c]->late) continue;
       Case extra{shadow, event, Result::Extra, std::nullopt, *called[c]};
       for (const TrueEvent& other : truth) {
         if (std::abs(world::seconds(other.time - called[c]->time)) > match_window(event)) continue;

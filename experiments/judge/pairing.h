@@ -37,7 +37,8 @@ struct Case {
 double match_window(Event event);
 
 /// One to one, nearest in time first: clear events before those close to their limit, these before near
-/// misses. Calls that are left are extra; near misses that are left are no cases.
+/// misses. Calls that are left are extra, events that are left were missed, but neither of them after the
+/// acting referee's whistle; near misses that are left are no cases.
 std::vector<Case> pair(const std::string& shadow, std::vector<TrueEvent> truth,
                        const std::vector<Call>& calls, const world::RuleSet& rules);
 

@@ -83,8 +83,6 @@ void Shadow::see(const world::TrackedFrame& frame, const world::GameState& state
       if (const auto* touched = std::get_if<world::BallTouched>(&event.what)) last_touch_ = touched->touch;
     }
     for (const world::GameEvent& event : events) {
-      // An offence after the whistle is none; restarts and kicks may be known late.
-      if (part.left && locations[n] == Location::GameOn && event.time > *part.left) continue;
       take(event, frame, part, chipped);
     }
   }
@@ -95,6 +93,7 @@ void Shadow::take(const world::GameEvent& event, const world::TrackedFrame& fram
   Call call;
   call.time = event.time;
   call.reported = frame.time;
+  call.late = part.left && event.time > *part.left;
   const auto add = [&](Event what, std::optional<world::RobotId> by, const world::Vector2d& place) {
     call.event = what;
     call.by = by;

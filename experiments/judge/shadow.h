@@ -22,6 +22,7 @@ struct Call {
   world::Time time;      ///< when it happened, as called
   world::Time reported;  ///< time of the frame in which it was
   std::optional<world::RobotId> by{};
+  bool late = false;  ///< after the acting referee's whistle: counts only where it was true
   world::Vector2d place = world::Vector2d::Zero();       ///< [m]
   std::optional<world::Touch> last{};                    ///< of exits: who touched the ball last
   std::vector<std::optional<world::Touch>> witnesses{};  ///< of exits: what each Witness says
@@ -35,7 +36,7 @@ inline constexpr world::Duration linger = std::chrono::milliseconds{400};
 /// tick its game state is the acting referee's, but for who touched the ball last, which is its own to say.
 ///
 /// Each location has a set of detectors of its own, which goes on for `linger` after the acting referee has
-/// left the location; what happened after that moment is not told.
+/// left the location: it may be slower, or see sooner what was coming.
 class Shadow {
  public:
   Shadow(std::string name, const world::Geometry& geometry, world::RuleSet rules);

@@ -25,12 +25,14 @@ struct LastTouch {
 struct TrueEvent {
   Event event{};
   world::Time time;
+  std::optional<world::Time> until{};  ///< it lasted: a call in this time is in time
   double margin = 0;  ///< how far beyond its limit, in bands; negative: it stayed within, by so much
   double value = 0;   ///< what was measured [SI]
   std::optional<world::RobotId> by{};
   world::Vector2d place = world::Vector2d::Zero();  ///< [m]
   bool ambiguous = false;  ///< in truth: robots of both teams touched within one tick
   bool over_goal = false;  ///< an exit: over the crossbar
+  bool late = false;       ///< after the acting referee's whistle: counts only where somebody called it
   std::optional<LastTouch> last{};
 
   bool happened() const { return margin > 0; }

@@ -80,6 +80,8 @@ std::vector<Witness> all_witnesses(const world::Field& field) {
   all.emplace_back("accel + line", field, TouchAlgorithms{.accel = true, .line = true});
   all.emplace_back("accel + backtrack", field, TouchAlgorithms{.accel = true, .backtrack = true});
   all.emplace_back("all three", field, TouchAlgorithms{.accel = true, .line = true, .backtrack = true});
+  all.emplace_back("all three, as coded", field,
+                   TouchAlgorithms{.accel = true, .line = true, .backtrack = true, .as_coded = true});
   all.emplace_back("likelihood", field, TouchAlgorithms{.likelihood = true});
   all.push_back(Witness::nearest(field));
   return all;
@@ -108,9 +110,8 @@ TouchCount count_touches(const std::deque<TrueTouch>& truth, const Witness& witn
                                        [&](std::size_t touch) { return truth[touch].end; });
     for (; it != touches.end() && truth[*it].begin <= named.end + slack; ++it) {
       const TrueTouch& touch = truth[*it];
-      const world::Duration apart = touch.begin > named.begin
-                                        ? touch.begin - named.begin
-                                        : std::max(named.begin - touch.end, world::Duration{});
+      const world::Duration apart =
+          std::max({touch.begin - named.end, named.begin - touch.end, world::Duration{}});
       pairs.push_back({apart, n, *it});
       near[n] = true;
     }
@@ -119,7 +120,8 @@ TouchCount count_touches(const std::deque<TrueTouch>& truth, const Witness& witn
   std::vector<bool> named_used(witness.named().size());
   std::vector<bool> found(truth.size());
   for (const Pair& pair : pairs) {
-    if (named_used[pair.named] || found[pair.touch]) continue;
+    const bool overlap = pair.apart == world::Duration{};
+    if (found[pair.touch] || (named_used[pair.named] && !overlap)) continue;
     named_used[pair.named] = found[pair.touch] = true;
   }
   for (std::size_t n = 0; n < truth.size(); ++n) {

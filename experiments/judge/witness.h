@@ -60,8 +60,8 @@ struct TouchCount {
   int extra = 0;  ///< named, and none there
   int again = 0;  ///< named once more within a touch that was found
 };
-/// One to one: each named touch belongs to at most one true one of the same robot that lasts within
-/// `window` of it, the nearest in time first.
+/// A named touch stands for every true one of the same robot that it overlaps (contact that lasts is named
+/// without a pause), and else for the nearest one within `window`, one to one.
 TouchCount count_touches(const std::deque<TrueTouch>& truth, const Witness& witness, double window);
 
 }  // namespace judge

@@ -27,16 +27,21 @@ void Areas::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     for (std::size_t n = 0; n < open_.size(); ++n) {
       const bool defender = n == 0;
       if (defender && touch.robot.number == moment.state.keeper[touch.robot.team]) continue;
+      const Event kind = defender ? Event::DefenderInArea : Event::AttackerInArea;
       Open& open = open_[n];
       const world::Side side = defender ? own : world::other(own);
       const double depth = field.robot_radius - world::distance_to_defense_area(field, side, robot->position);
       const double margin = depth / moment.bands.length;
       if (open.worst && (open.touch != contact.touch || open.worst->margin >= margin)) continue;
       if (margin <= -near_bands) continue;
-      if (open.reported && contact.time - *open.reported < same_offence) continue;
+      if (open.reported && contact.time - *open.reported < same_offence) {
+        const auto same = std::ranges::find(out.rbegin(), out.rend(), kind, &TrueEvent::event);
+        if (same != out.rend() && same->by == touch.robot && margin > 0) same->until = contact.time;
+        continue;
+      }
       const world::Time began = open.worst ? open.worst->time : contact.time;
       open.touch = contact.touch;
-      open.worst = TrueEvent{.event = defender ? Event::DefenderInArea : Event::AttackerInArea,
+      open.worst = TrueEvent{.event = kind,
                              .time = began,
                              .margin = margin,
                              .value = depth,

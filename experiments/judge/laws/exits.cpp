@@ -28,6 +28,7 @@ void Exits::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   const double outside = moment.outside(moment.now.ball);
   if (moment.in_play() && moment.entered) {
     armed_ = outside <= 0;
+    out_since_.reset();
     chips_ = {};
     approach_.reset();
   }
@@ -37,23 +38,16 @@ void Exits::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     Pending& pending = *pending_;
     if (!moment.by_hand) pending.deepest = std::max(pending.deepest, outside);
     const bool over = moment.by_hand || outside <= 0 || moment.now.time >= pending.event.time + settle;
-    if (over) {
-      pending.event.value = pending.deepest;
-      pending.event.margin = std::min(pending.deepest / moment.bands.length, pending.most);
-      pending.event.margin = std::max(pending.event.margin, 1e-9);  // it did happen
-      out.push_back(pending.event);
-      if (pending.icing) {
-        pending.icing->margin = std::min(pending.icing->margin, pending.event.margin);
-        report(out, *pending.icing);
-      }
-      pending_.reset();
-    }
+    pending.event.until = moment.now.time;
+    if (over) finish(moment.bands, out);
   }
   if (!moment.in_play() || moment.by_hand) {
+    if (approach_ && !moment.by_hand) out.push_back(*approach_);
     approach_.reset();
     return;
   }
   if (armed_ && outside > 0) {
+    out_since_ = moment.now.time;
     watch_crossing(moment);
     armed_ = false;
     approach_.reset();
@@ -61,9 +55,12 @@ void Exits::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     return;
   }
   if (!armed_) {
-    if (outside > 0) inside_since_.reset();
+    if (outside > 0 && !pending_) inside_since_.reset();
     if (outside <= 0 && !inside_since_) inside_since_ = moment.now.time;
-    if (inside_since_ && moment.now.time >= *inside_since_ + back_in) armed_ = true;
+    if (outside <= 0 && inside_since_ && moment.now.time >= *inside_since_ + back_in) {
+      armed_ = true;
+      out_since_.reset();
+    }
     return;
   }
   const double margin = outside / moment.bands.length;
@@ -71,10 +68,26 @@ void Exits::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     approach_ = TrueEvent{.event = Event::Exit, .time = moment.now.time, .margin = margin, .value = outside};
     approach_->place = moment.ball();
   }
+  if (approach_) approach_->until = moment.now.time;
   if (approach_ && margin < -near_bands - 0.5) {
     out.push_back(*approach_);
     approach_.reset();
   }
+}
+
+void Exits::finish(const Bands& bands, std::vector<TrueEvent>& out) {
+  if (!pending_) return;
+  TrueEvent& event = pending_->event;
+  event.value = pending_->deepest;
+  event.margin = std::max(std::min(pending_->deepest / bands.length, pending_->most), 1e-9);  // it did happen
+  // Nobody need have seen it: the next one is judged at once.
+  if (event.margin < 1) inside_since_ = event.time - back_in;
+  out.push_back(event);
+  if (pending_->icing) {
+    pending_->icing->margin = std::min(pending_->icing->margin, event.margin);
+    report(out, *pending_->icing);
+  }
+  pending_.reset();
 }
 
 void Exits::watch_heights(const Moment& moment) {

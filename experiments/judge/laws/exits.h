@@ -19,6 +19,10 @@ namespace judge {
 class Exits {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);
+  /// The game is over: what is not certain yet is told as it stands.
+  void finish(const Bands& bands, std::vector<TrueEvent>& out);
+  /// When the ball left the field; nothing while it is in play.
+  const std::optional<world::Time>& out_since() const { return out_since_; }
 
  private:
   struct Pending {
@@ -39,6 +43,7 @@ class Exits {
   int longest_unseen(world::Time from) const;
 
   bool armed_ = false;  // in play, and it has not left since
+  std::optional<world::Time> out_since_;
   std::optional<world::Time> inside_since_;
   std::optional<TrueEvent> approach_;  // nearest to the line, while near
   std::optional<Pending> pending_;

@@ -21,10 +21,18 @@ class Laws {
  public:
   Laws(const world::RuleSet& rules, const Bands& bands) : rules_(rules), bands_(bands) {}
 
-  /// The next tick.
+  /// The next tick. Laws of play are watched for another 0.3 s after the referee has stopped it: it may have
+  /// been early. Their events are then `late`, and so is what
+  /// happens after the ball has truly left the field.
   /// @param state      of the acting referee as this tick began for it
   /// @param ball_seen  by some camera
   void watch(const truth::Frame& frame, const world::GameState& state, bool ball_seen);
+
+  /// The game is over.
+  void finish() {
+    exits_.finish(bands_, events_);
+    stops_.finish(events_);
+  }
 
   /// What has become certain so far; events come when their margin is known, not in order of time.
   const std::vector<TrueEvent>& events() const { return events_; }
@@ -39,6 +47,7 @@ class Laws {
   world::Location location_{};
   world::Time location_time_;
   bool by_hand_ = false;
+  std::optional<world::GameState> play_;  // the state in which play was stopped, while it is watched on
   std::vector<TrueEvent> events_;
 
   Exits exits_;

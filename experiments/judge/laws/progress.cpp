@@ -8,6 +8,12 @@ constexpr world::Duration window = std::chrono::seconds{1};
 }  // namespace
 
 void Progress::watch(const Moment& moment, bool goalie_holds, std::vector<TrueEvent>& out) {
+  if (!moment.in_play() && near_.since &&
+      moment.now.time - *near_.since >= moment.rules.stuck_time - window) {
+    // The referee tells it in whole seconds.
+    out.push_back(
+        {.event = Event::NoProgress, .time = moment.now.time, .margin = -0.5, .place = moment.ball()});
+  }
   if (!moment.in_play() || moment.entered || moment.by_hand) {
     places_.clear();
     nominal_ = near_ = {};

@@ -32,11 +32,13 @@ void RobotsOff::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     watched.window.add(moment.now.time, margin);
     if (!watched.window.full()) continue;
     const double least = watched.window.least();
+    if (watched.worst && least > 0) watched.worst->until = moment.now.time;
     if (watched.worst && watched.worst->margin >= least) continue;
     const world::Time time = watched.passed ? watched.worst->time : moment.now.time;
     watched.passed = watched.passed || least > 0;
     watched.worst = TrueEvent{.event = Event::RobotLeftField,
                               .time = time,
+                              .until = moment.now.time,
                               .margin = least,
                               .value = least * moment.bands.length + moment.rules.run_off,
                               .by = robot.id,

@@ -8,6 +8,7 @@ constexpr double ball_speed_band = 0.05;  // [m/s]
 constexpr double robot_speed_band = 0.1;  // [m/s]
 constexpr double place_band = 0.02;       // [m] twice a camera's offset
 constexpr double half_band = 0.02;        // [m]
+constexpr std::size_t stretch = 6;        // ticks
 constexpr world::Duration agreed = std::chrono::milliseconds{300};
 
 }  // namespace
@@ -22,17 +23,34 @@ bool Settling::ready(const Moment& moment) const {
 bool Settling::steady(const Moment& moment, int wider) const {
   const world::RuleSet& rules = moment.rules;
   if (moment.by_hand) return false;
-  if (moment.now.ball.velocity.head<2>().norm() > rules.ball_settled_speed + wider * ball_speed_band)
-    return false;
+  if (ball_speed_ > rules.ball_settled_speed + wider * ball_speed_band) return false;
+  if (robot_speed_ > rules.robot_settled_speed + wider * robot_speed_band) return false;
   const auto& place = moment.state.reset_position;
   if (place && (moment.ball() - *place).norm() > rules.placement_tolerance + wider * place_band) return false;
+  if (!moment.state.is_kickoff) return true;
   for (const truth::Robot& robot : moment.now.robots) {
-    if (robot.velocity.norm() > rules.robot_settled_speed + wider * robot_speed_band) return false;
-    if (!moment.state.is_kickoff) continue;
     const double own = world::sign(world::defended_side(moment.state, robot.id.team));
     if (robot.position.x() * own < -wider * half_band) return false;
   }
   return true;
+}
+
+void Settling::measure(const Moment& moment) {
+  if (moment.by_hand) past_.clear();
+  past_.push_back(moment.now);
+  if (past_.size() > stretch + 1) past_.pop_front();
+  const truth::Frame& then = past_.front();
+  const double time = std::max(world::seconds(moment.now.time - then.time), world::tick_length);
+  const auto speed = [&](const world::Vector2d& from, const world::Vector2d& to, const world::Vector2d& now) {
+    return std::min((to - from).norm() / time, now.norm());
+  };
+  ball_speed_ = speed(then.ball.position.head<2>(), moment.ball(), moment.now.ball.velocity.head<2>());
+  robot_speed_ = 0;
+  for (const truth::Robot& robot : moment.now.robots) {
+    const truth::Robot* before = find_robot(then, robot.id);
+    if (before == nullptr) continue;
+    robot_speed_ = std::max(robot_speed_, speed(before->position, robot.position, robot.velocity));
+  }
 }
 
 void Settling::watch(const Moment& moment, std::vector<TrueEvent>& out) {
@@ -46,7 +64,11 @@ void Settling::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     // Waiting begins where the state began, which is known a few ticks later.
     for (Wait& wait : waits_) wait = {moment.now.time, moment.now.time, std::nullopt};
   }
-  if (!waiting_) return;
+  if (!waiting_) {
+    past_.clear();
+    return;
+  }
+  measure(moment);
   if (!off && !left_) left_ = moment.now.time;
   if (left_ && moment.now.time > *left_ + agreed) {
     finish(out);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,8 @@ namespace judge {
 
 /// Ball in its place, robots slow for long enough, or the wait was too long (paper, Algorithm 3).
 ///
+/// A speed is that at which something gets anywhere, in a tenth of a second: robots that lean on each other
+/// tremble.
 /// The same is watched with limits a little wider and a little narrower; where these two do not agree within
 /// 0.3 s the moment is nobody's fault: margin 0.5.
 class Settling {
@@ -21,6 +24,7 @@ class Settling {
     world::Time begin{}, steady{};
     std::optional<world::Time> settled{};
   };
+  void measure(const Moment& moment);
   bool steady(const Moment& moment, int wider) const;
   bool ready(const Moment& moment) const;
   void finish(std::vector<TrueEvent>& out);
@@ -28,7 +32,10 @@ class Settling {
   bool waiting_ = false;
   std::uint32_t counter_ = 0;  // of the command
   std::optional<world::Time> left_;
-  std::array<Wait, 3> waits_;  // narrower, as they are, wider
+  std::deque<truth::Frame> past_;  // of a tenth of a second
+  double ball_speed_ = 0;          // [m/s]
+  double robot_speed_ = 0;         // [m/s] of the fastest
+  std::array<Wait, 3> waits_;      // narrower, as they are, wider
 };
 
 }  // namespace judge

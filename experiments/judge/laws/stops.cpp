@@ -63,12 +63,14 @@ void Stops::watch(const Moment& moment, std::vector<TrueEvent>& out) {
 void Stops::note(const Moment& moment, Event event, const truth::Robot& robot, double beyond, double band,
                  Watched& watched) const {
   const double margin = beyond / band;
+  if (watched.worst && margin > 0) watched.worst->until = moment.now.time;
   if (watched.worst && watched.worst->margin >= margin) return;
   // The time is that of the first moment beyond the limit, or of the nearest one.
   const world::Time time = watched.passed ? watched.worst->time : moment.now.time;
   watched.passed = watched.passed || margin > 0;
   watched.worst = TrueEvent{.event = event,
                             .time = time,
+                            .until = moment.now.time,
                             .margin = margin,
                             .value = beyond,
                             .by = robot.id,

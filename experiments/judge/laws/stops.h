@@ -18,6 +18,8 @@ namespace judge {
 class Stops {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);
+  /// Play is restarted, or the game is over.
+  void finish(std::vector<TrueEvent>& out);
 
  private:
   struct Watched {
@@ -31,7 +33,6 @@ class Stops {
   void begin(const Moment& moment);
   void note(const Moment& moment, Event event, const truth::Robot& robot, double beyond, double band,
             Watched& watched) const;
-  void finish(std::vector<TrueEvent>& out);
 
   bool stop_ = false;
   std::uint32_t counter_ = 0;  // of the command
