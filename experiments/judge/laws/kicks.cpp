@@ -32,6 +32,7 @@ void Kicks::take(const Moment& moment, std::vector<TrueEvent>& out) {
   const double travel = (moment.ball() - restart.place).norm();
   for (const TrueTouches::Contact& contact : moment.touches.fresh()) {
     if (!restart.first_touch) restart.first_touch = contact.touch;
+    if (!restart.taken) restart.robots = moment.before.robots;
   }
   if (!restart.taken && travel > moment.rules.kick_travel) {
     const double before = (moment.before.ball.position.head<2>() - restart.place).norm();
@@ -78,7 +79,7 @@ void Kicks::look_around(const Moment& moment, std::vector<TrueEvent>& out) const
                       .by = robot.id,
                       .place = robot.position};
   };
-  for (const truth::Robot& robot : moment.before.robots) {
+  for (const truth::Robot& robot : restart.robots.empty() ? moment.before.robots : restart.robots) {
     if (robot.id.team != restart.team) {
       const double distance = (robot.position - restart.place).norm() - field.robot_radius;
       keep(opponent, Event::OpponentNearBall, robot, moment.rules.opponent_distance - distance);

@@ -7,7 +7,6 @@ namespace {
 constexpr double ball_speed_band = 0.05;  // [m/s]
 constexpr double robot_speed_band = 0.1;  // [m/s]
 constexpr double place_band = 0.02;       // [m] twice a camera's offset
-constexpr double half_band = 0.02;        // [m]
 constexpr std::size_t stretch = 6;        // ticks
 constexpr world::Duration agreed = std::chrono::milliseconds{300};
 
@@ -30,7 +29,7 @@ bool Settling::steady(const Moment& moment, int wider) const {
   if (!moment.state.is_kickoff) return true;
   for (const truth::Robot& robot : moment.now.robots) {
     const double own = world::sign(world::defended_side(moment.state, robot.id.team));
-    if (robot.position.x() * own < -wider * half_band) return false;
+    if (robot.position.x() * own < -wider * moment.bands.length) return false;
   }
   return true;
 }

@@ -313,6 +313,8 @@ TEST(KickTaken, NamesWhoWasTooNear) {
   story.robot(blue(4), {0, -0.62});  // at 0.53 m
   story.tick(3);
   story.touch(yellow(1));
+  story.tick(1);
+  story.robots.erase(story.robots.begin() + 2);  // blue 3 is sent off before the ball has gone 50 mm
   story.ball.velocity = {3, 0, 0};
   story.tick(2);
   story.enter(Location::GameOn);
