@@ -116,7 +116,13 @@ void add_bench(CLI::App& main, bench::BenchOptions& options, commands::RealismOp
       ->check(half_length);
   app.add_option("--cpu", options.cpu, "processor for host and teams; -1: wherever the system likes")
       ->capture_default_str();
-  app.add_flag("--json", options.as_json, "print JSON");
+  app.add_option("--workers", options.workers,
+                 "games at once, for the games per hour: 0 for none, -1 for one per processor")
+      ->check(CLI::Range(-1, 1024))
+      ->capture_default_str();
+  CLI::Option* json = app.add_flag("--json", options.as_json, "print JSON");
+  app.add_option("--compare", options.compare, "FILE of an older `bench --json`: a table of both")
+      ->excludes(json);
 }
 
 void add_show_realism(CLI::App& main, commands::RealismOptions& options) {

@@ -1,3 +1,5 @@
+#include <sched.h>
+
 #include <iostream>
 
 #include "experiments/commands.h"
@@ -10,7 +12,9 @@ namespace commands {
 
 int worker(const WorkerOptions& options) {
   runner::Signals signals;
-  host::Options settings;  // the runner has bound us to a processor already
+  host::Options settings;
+  settings.cpu =
+      ::sched_getcpu();  // the one the runner has bound us to; there the game's processes take turns
   settings.interrupted = [&signals] { return signals.wait(std::chrono::milliseconds{0}).has_value(); };
   // Printing is the sign of life that the runner watches.
   settings.on_second = [](world::Time time, const world::PerTeam<int>& score) {

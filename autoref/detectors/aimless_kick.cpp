@@ -6,9 +6,8 @@
 
 namespace detectors {
 
-std::vector<world::GameEvent> AimlessKick::update(const world::TrackedFrame& frame,
-                                                  const world::GameState& state) {
-  std::vector<world::GameEvent> icing;
+Events AimlessKick::update(const world::TrackedFrame& frame, const world::GameState& state) {
+  Events icing;
   for (const world::GameEvent& event : exit_.update(frame, state)) {
     const auto* left = std::get_if<world::BallLeftFieldGoalLine>(&event.what);
     if (!left || std::abs(left->location.y()) < field_.goal_width / 2) continue;

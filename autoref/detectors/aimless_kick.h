@@ -17,8 +17,7 @@ class AimlessKick final : public Detector {
   explicit AimlessKick(const world::RuleSet& rules)
       : field_(rules.field), margin_(rules.icing_margin), sure_(rules.sure_touch), exit_(rules) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override { exit_.reset(); }
 
  private:

@@ -10,8 +10,7 @@ constexpr double goal_back_margin = 0.05;  // [m] overshoot of the filter at the
 
 }  // namespace
 
-std::vector<world::GameEvent> BallLeftField::update(const world::TrackedFrame& frame,
-                                                    const world::GameState& state) {
+Events BallLeftField::update(const world::TrackedFrame& frame, const world::GameState& state) {
   const auto ball = observed_ball(frame);
   if (!ball) return {};
 

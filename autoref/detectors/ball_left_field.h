@@ -27,8 +27,7 @@ class BallLeftField final : public Detector {
         frames_mouth_(rules.exit_frames_mouth),
         frames_jump_(rules.exit_frames_jump) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     last_inside_.reset();
     first_outside_.reset();

@@ -4,9 +4,8 @@
 
 namespace detectors {
 
-std::vector<world::GameEvent> BallTouched::update(const world::TrackedFrame& frame,
-                                                  const world::GameState& state) {
-  std::vector<world::GameEvent> events;
+Events BallTouched::update(const world::TrackedFrame& frame, const world::GameState& state) {
+  Events events;
   for (const world::Touch& touch : frame.touches) {
     if (!in_play(field_, state, touch)) continue;
     events.push_back({touch.time, world::BallTouched{touch}});

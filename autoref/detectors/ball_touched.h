@@ -13,8 +13,7 @@ class BallTouched final : public Detector {
  public:
   explicit BallTouched(const world::RuleSet& rules) : field_(rules.field) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {}
 
  private:

@@ -14,15 +14,14 @@ constexpr world::Duration of_the_kick = std::chrono::milliseconds{100};
 
 }  // namespace
 
-std::vector<world::GameEvent> ChippedGoal::update(const world::TrackedFrame& frame,
-                                                  const world::GameState& state) {
+Events ChippedGoal::update(const world::TrackedFrame& frame, const world::GameState& state) {
   // What the ball does behind the line is no matter any more.
   const bool in_front = frame.ball && std::abs(frame.ball->position.x()) <= field_.half_length();
   if (in_front) {
     watch_touches(frame);
     watch_height(frame, state);
   }
-  std::vector<world::GameEvent> chipped;
+  Events chipped;
   for (const world::GameEvent& event : goal_.update(frame, state)) {
     const auto& goal = std::get<world::PossibleGoal>(event.what);
     const std::optional<Chip>& chip = chips_[world::opponent(goal.defending)];

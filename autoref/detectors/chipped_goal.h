@@ -20,8 +20,7 @@ class ChippedGoal final : public Detector {
   explicit ChippedGoal(const world::RuleSet& rules)
       : field_(rules.field), height_(rules.chip_height), rolling_(rules.chip_rolling), goal_(rules) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     chips_ = {};
     grounded_since_.reset();

@@ -75,9 +75,8 @@ bool Collision::has_advantage(const world::TrackedFrame& frame, const world::Gam
   return theirs && nearest && nearest->id.team == victim.team && nearest->id != victim;
 }
 
-std::vector<world::GameEvent> Collision::update(const world::TrackedFrame& frame,
-                                                const world::GameState& state) {
-  std::vector<world::GameEvent> events;
+Events Collision::update(const world::TrackedFrame& frame, const world::GameState& state) {
+  Events events;
   const double reach = 2 * field_.robot_radius;
   for (const TrackedRobot& yellow : frame.robots) {
     if (yellow.id.team != Team::Yellow || yellow.id.number > world::max_robot_number) continue;

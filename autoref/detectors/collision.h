@@ -31,8 +31,7 @@ class Collision final : public Detector {
         braking_(rules.crash_braking),
         advantage_(rules.advantage) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     before_.clear();
     past_.clear();

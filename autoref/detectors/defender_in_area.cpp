@@ -11,8 +11,7 @@ constexpr world::Duration cool_down = std::chrono::seconds{2};
 
 }  // namespace
 
-std::vector<world::GameEvent> DefenderInArea::update(const world::TrackedFrame& frame,
-                                                     const world::GameState& state) {
+Events DefenderInArea::update(const world::TrackedFrame& frame, const world::GameState& state) {
   past_.add(frame);
   for (const world::Touch& touch : frame.touches) {
     const world::RobotId robot = touch.robot;

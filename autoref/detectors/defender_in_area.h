@@ -19,8 +19,7 @@ class DefenderInArea final : public Detector {
   explicit DefenderInArea(const world::RuleSet& rules)
       : field_(rules.field), margin_(rules.distance_margin), sure_(rules.sure_touch) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     past_.clear();
     reported_.reset();

@@ -12,8 +12,7 @@ constexpr int carry_frames = 6;
 
 }  // namespace
 
-std::vector<world::GameEvent> DoubleTouch::update(const world::TrackedFrame& frame,
-                                                  const world::GameState& state) {
+Events DoubleTouch::update(const world::TrackedFrame& frame, const world::GameState& state) {
   if (reported_ || !state.kicker || !state.kick_position) return {};
 
   if (released_) {

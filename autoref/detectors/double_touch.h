@@ -24,8 +24,7 @@ class DoubleTouch final : public Detector {
  public:
   explicit DoubleTouch(const world::RuleSet& rules) : field_(rules.field), travel_(rules.kick_travel) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     released_.reset();
     clear_ = 0;

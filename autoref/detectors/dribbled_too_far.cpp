@@ -9,10 +9,9 @@ constexpr int frames_of_separation = 10;
 
 }  // namespace
 
-std::vector<world::GameEvent> DribbledTooFar::update(const world::TrackedFrame& frame,
-                                                     const world::GameState&) {
+Events DribbledTooFar::update(const world::TrackedFrame& frame, const world::GameState&) {
   if (!frame.ball) return {};
-  std::vector<world::GameEvent> events;
+  Events events;
   const world::Vector2d ball = on_ground(*frame.ball);
 
   for (const world::TrackedRobot& robot : frame.robots) {

@@ -20,8 +20,7 @@ class DribbledTooFar final : public Detector {
  public:
   explicit DribbledTooFar(const world::RuleSet& rules) : max_distance_(rules.max_dribble) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override { dribbles_ = {}; }
 
  private:

@@ -21,7 +21,7 @@ double Goal::guard(const world::Vector2d& ball) const {
   return std::abs(ball.x()) - field_.half_length() - field_.ball_radius;
 }
 
-std::vector<world::GameEvent> Goal::update(const world::TrackedFrame& frame, const world::GameState& state) {
+Events Goal::update(const world::TrackedFrame& frame, const world::GameState& state) {
   const auto ball = observed_ball(frame);
   bool certain = false;
   if (!ball) {

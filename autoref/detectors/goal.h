@@ -22,8 +22,7 @@ class Goal final : public Detector {
  public:
   explicit Goal(const world::RuleSet& rules) : field_(rules.field) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     last_in_front_.reset();
     entry_.reset();

@@ -4,9 +4,8 @@
 
 namespace detectors {
 
-std::vector<world::GameEvent> InterferedPlacement::update(const world::TrackedFrame& frame,
-                                                          const world::GameState& state) {
-  std::vector<world::GameEvent> events;
+Events InterferedPlacement::update(const world::TrackedFrame& frame, const world::GameState& state) {
+  Events events;
   const auto ball = observed_ball(frame);
   if (is_stop(state) && state.reset_position && !ball) return {};  // a frame without ball says nothing
   const bool to_be_placed =

@@ -24,8 +24,7 @@ class InterferedPlacement final : public Detector {
         tolerance_(rules.placement_tolerance),
         grace_(rules.stop_grace) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override { watched_ = {}; }
 
  private:

@@ -8,9 +8,8 @@ constexpr double apart = 0.02;  // [m] between hulls
 
 }  // namespace
 
-std::vector<world::GameEvent> KeeperContact::update(const world::TrackedFrame& frame,
-                                                    const world::GameState& state) {
-  std::vector<world::GameEvent> events;
+Events KeeperContact::update(const world::TrackedFrame& frame, const world::GameState& state) {
+  Events events;
   for (const world::Team defending : world::both_teams) {
     const world::RobotId id{defending, static_cast<std::uint8_t>(state.keeper[defending])};
     const world::TrackedRobot* keeper = find_robot(frame, id);

@@ -19,8 +19,7 @@ class KeeperContact final : public Detector {
  public:
   explicit KeeperContact(const world::RuleSet& rules) : field_(rules.field), margin_(rules.distance_margin) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override { frames_ = {}; }
 
  private:

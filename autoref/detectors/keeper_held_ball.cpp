@@ -11,8 +11,7 @@ constexpr world::Duration separation = std::chrono::milliseconds{500};
 
 }  // namespace
 
-std::vector<world::GameEvent> KeeperHeldBall::update(const world::TrackedFrame& frame,
-                                                     const world::GameState& state) {
+Events KeeperHeldBall::update(const world::TrackedFrame& frame, const world::GameState& state) {
   const auto holder = keeper_with_ball(field_, frame, state);
   if (holder) {
     if (!since_ || holder_ != holder) {

@@ -17,8 +17,7 @@ class KeeperHeldBall final : public Detector {
  public:
   explicit KeeperHeldBall(const world::RuleSet& rules) : field_(rules.field), limit_(rules.keeper_hold) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     since_.reset();
     reported_ = false;

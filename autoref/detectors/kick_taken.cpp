@@ -35,8 +35,7 @@ std::optional<world::Time> KickTaken::when_taken(const world::TrackedFrame& fram
   return taken;
 }
 
-std::vector<world::GameEvent> KickTaken::update(const world::TrackedFrame& frame,
-                                                const world::GameState& state) {
+Events KickTaken::update(const world::TrackedFrame& frame, const world::GameState& state) {
   if (reported_ || !observed_ball(frame) || !state.kick_position) return {};
   const auto taken = when_taken(frame, state);
   if (!taken) return {};

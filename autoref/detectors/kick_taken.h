@@ -32,8 +32,7 @@ class KickTaken final : public Detector {
         opponent_distance_(rules.opponent_distance),
         area_distance_(rules.attacker_area_distance) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {  // all but the last attempt: this one may be its retake
     moved_.reset();
     sped_up_.reset();

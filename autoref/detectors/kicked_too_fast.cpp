@@ -16,8 +16,7 @@ constexpr world::Duration recent_touch = std::chrono::milliseconds{300};
 
 }  // namespace
 
-std::vector<world::GameEvent> KickedTooFast::update(const world::TrackedFrame& frame,
-                                                    const world::GameState& state) {
+Events KickedTooFast::update(const world::TrackedFrame& frame, const world::GameState& state) {
   const auto ball = observed_ball(frame);
   if (!ball) return {};
   const double speed = frame.ball->velocity.norm();

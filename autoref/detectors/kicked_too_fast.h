@@ -22,8 +22,7 @@ class KickedTooFast final : public Detector {
  public:
   explicit KickedTooFast(const world::RuleSet& rules) : max_speed_(rules.max_ball_speed) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     before_.reset();
     began_.reset();

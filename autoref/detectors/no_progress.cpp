@@ -11,8 +11,7 @@ constexpr world::Duration window = std::chrono::seconds{1};
 
 }  // namespace
 
-std::vector<world::GameEvent> NoProgress::update(const world::TrackedFrame& frame,
-                                                 const world::GameState& state) {
+Events NoProgress::update(const world::TrackedFrame& frame, const world::GameState& state) {
   if (!progress_ || (goalie_may_hold_ && keeper_with_ball(field_, frame, state))) progress_ = frame.time;
   if (const auto ball = observed_ball(frame)) {
     const bool moved = place_ && (*ball - *place_).norm() >= distance_;

@@ -23,8 +23,7 @@ class NoProgress final : public Detector {
         limit_(rules.stuck_time),
         goalie_may_hold_(world::runs(rules, "goalie holds the ball")) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     progress_.reset();
     sample_time_.reset();

@@ -2,9 +2,8 @@
 
 namespace detectors {
 
-std::vector<world::GameEvent> RobotLeftField::update(const world::TrackedFrame& frame,
-                                                     const world::GameState&) {
-  std::vector<world::GameEvent> events;
+Events RobotLeftField::update(const world::TrackedFrame& frame, const world::GameState&) {
+  Events events;
   for (const world::TrackedRobot& robot : frame.robots) {
     if (robot.id.number > world::max_robot_number || !robot.observed) continue;
     Watched& watched = watched_[robot.id.team][robot.id.number];

@@ -20,8 +20,7 @@ class RobotLeftField final : public Detector {
   explicit RobotLeftField(const world::RuleSet& rules)
       : field_(rules.field), run_off_(rules.run_off + rules.distance_margin), time_(rules.run_off_time) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     for (const world::Team team : world::both_teams) {
       for (Watched& watched : watched_[team]) watched.since.reset();

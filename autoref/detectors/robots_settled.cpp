@@ -54,8 +54,7 @@ bool RobotsSettled::in_position(const world::TrackedFrame& frame, const world::G
   return !offenders.attacker && !offenders.defender;
 }
 
-std::vector<world::GameEvent> RobotsSettled::update(const world::TrackedFrame& frame,
-                                                    const world::GameState& state) {
+Events RobotsSettled::update(const world::TrackedFrame& frame, const world::GameState& state) {
   if (!entered_) entered_ = start_ = frame.time;
   remember(frame);
   const bool ready = in_position(frame, state);

@@ -31,8 +31,7 @@ class RobotsSettled final : public Detector {
         settled_for_(rules.settled_for),
         limit_(rules.settle_limit) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     entered_.reset();
     start_.reset();

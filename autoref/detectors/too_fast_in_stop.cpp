@@ -4,10 +4,9 @@
 
 namespace detectors {
 
-std::vector<world::GameEvent> TooFastInStop::update(const world::TrackedFrame& frame,
-                                                    const world::GameState& state) {
+Events TooFastInStop::update(const world::TrackedFrame& frame, const world::GameState& state) {
   if (!is_stop(state) || frame.time - state.command_time < grace_) return {};
-  std::vector<world::GameEvent> events;
+  Events events;
   for (const world::TrackedRobot& robot : frame.robots) {
     if (robot.id.number > world::max_robot_number) continue;
     Watched& watched = watched_[robot.id.team][robot.id.number];

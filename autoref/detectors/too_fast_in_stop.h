@@ -21,8 +21,7 @@ class TooFastInStop final : public Detector {
         grace_(rules.stop_grace),
         violation_(rules.stop_violation) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override { watched_ = {}; }
 
  private:

@@ -10,8 +10,7 @@ constexpr world::Duration gap = std::chrono::milliseconds{500};
 
 }  // namespace
 
-std::vector<world::GameEvent> TooManyRobots::update(const world::TrackedFrame& frame,
-                                                    const world::GameState& state) {
+Events TooManyRobots::update(const world::TrackedFrame& frame, const world::GameState& state) {
   if (!allowed_) {
     allowed_.emplace();
     for (const world::Team team : world::both_teams) {
@@ -24,7 +23,7 @@ std::vector<world::GameEvent> TooManyRobots::update(const world::TrackedFrame& f
     if (!known.since || frame.time - known.last > gap) known.since = frame.time;
     known.last = frame.time;
   }
-  std::vector<world::GameEvent> events;
+  Events events;
   for (const world::Team team : world::both_teams) {
     int robots = 0;
     for (const Known& known : known_[team]) {

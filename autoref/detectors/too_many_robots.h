@@ -19,8 +19,7 @@ class TooManyRobots final : public Detector {
   explicit TooManyRobots(const world::RuleSet& rules)
       : most_(rules.robots_per_team), time_(rules.surplus_robot_time) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     allowed_.reset();
     reported_ = {};

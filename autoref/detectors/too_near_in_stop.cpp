@@ -9,8 +9,7 @@ constexpr double at_rest = 0.1;  // [m]
 
 }  // namespace
 
-std::vector<world::GameEvent> TooNearInStop::update(const world::TrackedFrame& frame,
-                                                    const world::GameState& state) {
+Events TooNearInStop::update(const world::TrackedFrame& frame, const world::GameState& state) {
   const auto ball = observed_ball(frame);
   if (is_stop(state) && !ball) return {};  // a frame without ball says nothing
   if (!is_stop(state) || !lies_at_ || (*ball - *lies_at_).norm() > at_rest) {
@@ -20,7 +19,7 @@ std::vector<world::GameEvent> TooNearInStop::update(const world::TrackedFrame& f
     lies_at_ = ball;
     return {};
   }
-  std::vector<world::GameEvent> events;
+  Events events;
   for (const world::TrackedRobot& robot : frame.robots) {
     if (robot.id.number > world::max_robot_number) continue;
     Watched& watched = watched_[robot.id.team][robot.id.number];

@@ -21,8 +21,7 @@ class TooNearInStop final : public Detector {
         distance_(rules.stop_distance - rules.distance_margin),
         grace_(rules.stop_grace) {}
 
-  std::vector<world::GameEvent> update(const world::TrackedFrame& frame,
-                                       const world::GameState& state) override;
+  Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     watched_ = {};
     lies_at_.reset();

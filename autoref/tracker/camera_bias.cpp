@@ -69,7 +69,12 @@ void CameraBias::compare(int camera, int other, const Vector2d& difference, doub
   for (std::size_t i = 0; i < n; ++i) {
     offsets_[i].estimate += with[i] / s * innovation;
     largest = std::max(largest, offsets_[i].estimate.cwiseAbs().maxCoeff());
-    for (std::size_t j = 0; j < n; ++j) cov(i, j) -= with[i] * with[j] / s;
+    cov(i, i) -= with[i] * with[i] / s;
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const double change = with[i] * with[j] / s;
+      cov(i, j) -= change;
+      cov(j, i) -= change;
+    }
   }
   if (largest > largest_) {
     for (Offset& offset : offsets_) offset.estimate *= largest_ / largest;

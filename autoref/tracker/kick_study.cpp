@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 // How long a kicked ball slides [s]: not at all, up to 8 m/s with the dribbler's backspin, or anything
 // between.
-constexpr std::array<double, 6> slide_times = {0, 0.08, 0.16, 0.28, 0.45, 10};
+constexpr std::array slide_times = {0.0, 0.08, 0.16, 0.28, 0.45, 10.0};
 constexpr double speed_sigma = 4.0;                                // [m/s] per axis, as AirFilter's
 constexpr double ground_noise = 0.15 * 0.15 * world::tick_length;  // [m^2/s^3] as a rolling ball's
 constexpr double jostle_noise = 12.0 * 12.0 * world::tick_length;  // as of BallFilter's erratic ball
@@ -60,10 +60,10 @@ KickStudy::KickStudy(const world::Geometry& geometry, double ball_sigma, world::
 
 KickStudy::KickStudy(const world::Geometry& geometry, const KickPoint& kick, double ball_sigma)
     : KickStudy(geometry, ball_sigma, kick.earliest, kick.place) {
-  air_.reserve(instants);
-  ground_.reserve(instants + 1);
-  for (int n = 0; n < instants; ++n) {
-    const auto kicked = kick.earliest + (kick.latest - kick.earliest) * n / instants;
+  static_assert(slide_times.size() == lengths);
+  constexpr int count = instants;
+  for (int n = 0; n < count; ++n) {
+    const auto kicked = kick.earliest + (kick.latest - kick.earliest) * n / count;
     const Vector2d place = kick.place + kick.carried * world::seconds(kicked - kick.earliest);
     air_.push_back({kicked, AirFilter(place, kick.sigma), {}});
     add_ground(kicked, place, kick.sigma, ground_noise, slide_times.size());
@@ -175,8 +175,10 @@ void KickStudy::judge() {
                   ? air_share / (air_share + std::exp(roll_log - most) + std::exp(jostle_log - most))
                   : 0;
 
-  std::erase_if(air_,
-                [&, best = in_air[0]](const InAir& air) { return evidence(air.score) < best - hopeless; });
+  const auto is_hopeless = [&, best = in_air[0]](const InAir& air) {
+    return evidence(air.score) < best - hopeless;
+  };
+  air_.erase(std::remove_if(air_.begin(), air_.end(), is_hopeless), air_.end());
   if (from_ground_ && sightings_ == quick_look && is_slow()) over_ = true;
   if (sightings_ < least_sightings) return;
   if (airborne_ < settled_flat) over_ = true;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <boost/container/static_vector.hpp>
 #include <cstddef>
-#include <vector>
 
 #include "autoref/tracker/air_filter.h"
 #include "sim/world/field.h"
@@ -52,7 +52,8 @@ class KickStudy {
   world::Time last_seen() const { return last_; }
 
  private:
-  static constexpr int instants = 5;
+  static constexpr std::size_t instants = 5;
+  static constexpr std::size_t lengths = 6;  // of the slide
 
   KickStudy(const world::Geometry& geometry, double ball_sigma, world::Time time, const Vector2d& from);
   void add_ground(world::Time kicked, const Vector2d& place, double sigma, double noise, std::size_t courses);
@@ -75,7 +76,7 @@ class KickStudy {
     world::Time kicked;
     double noise = 0;  // [m^2/s^3]
     double pp = 0, pv = 0, vv = 0;
-    std::vector<Course> courses;
+    boost::container::static_vector<Course, lengths> courses;
   };
 
   double evidence(const Score& score) const;
@@ -85,11 +86,13 @@ class KickStudy {
   bool is_slow() const;
   void remember_launch();
 
-  bool from_ground_ = true;       // begun by a kick
-  double slide_, roll_;           // [m/s^2]
-  double r_;                      // [m^2]
-  std::vector<InAir> air_;        // the best first
-  std::vector<OnGround> ground_;  // the last one is jostled; empty once the ball is known to fly
+  bool from_ground_ = true;  // begun by a kick
+  double slide_, roll_;      // [m/s^2]
+  double r_;                 // [m^2]
+  // In place: a study begins with every kick, and none allocates.
+  boost::container::static_vector<InAir, instants> air_;  // the best first
+  boost::container::static_vector<OnGround, instants + 1>
+      ground_;  // the last one is jostled; empty once the ball is known to fly
   int sightings_ = 0;
   int misses_ = 0;  // in a row
   double airborne_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace tracker {
@@ -65,10 +66,11 @@ void Tracker::choose(std::span<const world::Detection> detections) {
     if (has_usable_time(detection)) images_.push_back(&detection);
   }
   if (images_.empty()) return;
+  // Of equals the one that arrived first: they lie in one array. (std::stable_sort would allocate.)
   const auto earlier = [](const world::Detection* a, const world::Detection* b) {
-    return std::pair(a->t_capture, a->camera) < std::pair(b->t_capture, b->camera);
+    return std::tuple(a->t_capture, a->camera, a) < std::tuple(b->t_capture, b->camera, b);
   };
-  std::ranges::stable_sort(images_, earlier);
+  std::ranges::sort(images_, earlier);
   if (!started_) return;
 
   // Images far from the present are mistakes as long as others of the batch are near.

@@ -1,9 +1,16 @@
 #include "experiments/bench/bench.h"
 
+#include <sys/resource.h>
+
 #include <ctime>
+#include <fstream>
+#include <iterator>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 
+#include "experiments/bench/compare.h"
+#include "experiments/bench/scaling.h"
 #include "experiments/host/play.h"
 #include "experiments/host/processor.h"
 #include "sim/physics/reference_scene.h"
@@ -22,6 +29,23 @@ double reference_tick() {
   const double begin = processor_seconds();
   const physics::ReferenceResult result = physics::run_reference_scene();
   return (processor_seconds() - begin) / static_cast<double>(result.ticks);
+}
+
+// Switches from one process to another so far, ours and of the children we have waited for.
+double switches() {
+  double sum = 0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage used{};
+    ::getrusage(who, &used);
+    sum += static_cast<double>(used.ru_nvcsw + used.ru_nivcsw);
+  }
+  return sum;
+}
+
+std::string read(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::invalid_argument(file + ": the file to compare with cannot be read");
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace
@@ -45,6 +69,7 @@ Figures measure(const BenchOptions& options) {
   host::Stopwatch stopwatch;
   host::Options how;
   how.stopwatch = &stopwatch;
+  const double switches_before = switches();
   record::MatchRecord record = host::play(options.game, how);
   if (record.termination != record::Termination::Finished) {
     throw std::runtime_error(std::string("the game did not finish: ") + record.reason);
@@ -53,6 +78,8 @@ Figures measure(const BenchOptions& options) {
 
   const auto ticks = static_cast<double>(record.ticks);
   figures.ticks = record.ticks;
+  figures.switches_per_tick = (switches() - switches_before) / ticks;
+  figures.calls_per_tick = static_cast<double>(stopwatch.channel_calls) / ticks;
   figures.hash = record.hash;
   figures.loop_seconds = stopwatch.loop_seconds;
   auto& costs = record.costs;
@@ -83,8 +110,13 @@ Figures measure(const BenchOptions& options) {
 }
 
 int bench(const BenchOptions& options, std::ostream& out) {
-  const Figures figures = measure(options);
+  std::optional<Figures> before;
+  if (!options.compare.empty()) before = figures_from_json(read(options.compare), options.compare);
+  const int workers = options.workers < 0 ? static_cast<int>(processors().size()) : options.workers;
+  Figures figures = measure(options);
+  if (workers > 0) figures.scaling = measure_scaling(options.game, workers);
   out << (options.as_json ? json(figures) : table(figures));
+  if (before) out << "\n" << comparison(*before, figures);
   return 0;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "sim/world/time.h"
@@ -66,38 +65,17 @@ std::string table(const Figures& figures) {
       format("peak memory [MiB]         %.0f host, %.0f yellow, %.0f blue, %.0f together\n",
              mebibytes(figures.memory_host), mebibytes(figures.memory_yellow), mebibytes(figures.memory_blue),
              mebibytes(figures.memory_host + figures.memory_yellow + figures.memory_blue));
-  text += format("channel per tick          %.0f messages, %.0f bytes out, %.0f bytes in\n",
-                 figures.messages_per_tick, figures.bytes_out_per_tick, figures.bytes_in_per_tick);
-  return text;
-}
-
-std::string json(const Figures& figures) {
-  nlohmann::ordered_json out;
-  out["realism"] = figures.realism;
-  out["hash"] = figures.hash;
-  out["ticks"] = figures.ticks;
-  out["loop_seconds"] = figures.loop_seconds;
-  out["times_real_time"] = figures.times_real_time();
-  out["times_real_time_cpu"] = figures.times_real_time_cpu();
-  out["reference_tick_us"] = figures.reference_tick * 1e6;
-  out["tick_us"] = figures.tick_wall() * 1e6;
-  out["tick_of_reference"] = figures.tick_wall() / figures.reference_tick;
-  for (const Row& row : figures.rows) {
-    nlohmann::ordered_json entry;
-    entry["mean_us"] = row.mean * 1e6;
-    if (row.median >= 0) entry["median_us"] = row.median * 1e6;
-    if (row.ninety_nine >= 0) entry["p99_us"] = row.ninety_nine * 1e6;
-    entry["of_reference"] = row.mean / figures.reference_tick;
-    out["parts"][row.part] = entry;
+  text += format(
+      "channel per tick          %.0f messages, %.0f bytes out, %.0f bytes in, %.2f system calls of the "
+      "host\n",
+      figures.messages_per_tick, figures.bytes_out_per_tick, figures.bytes_in_per_tick,
+      figures.calls_per_tick);
+  text += format("switches per tick         %.2f between the three processes\n", figures.switches_per_tick);
+  if (const auto& scaling = figures.scaling) {
+    text += format("games per hour            %.0f with 1 worker, %.0f with %d, %.2f times as many\n",
+                   scaling->alone, scaling->together, scaling->workers, scaling->ratio());
   }
-  out["host_cpu_seconds"] = figures.host_cpu;
-  out["teams_cpu_seconds"] = figures.teams_cpu;
-  out["peak_memory_bytes"] = {
-      {"host", figures.memory_host}, {"yellow", figures.memory_yellow}, {"blue", figures.memory_blue}};
-  out["messages_per_tick"] = figures.messages_per_tick;
-  out["bytes_out_per_tick"] = figures.bytes_out_per_tick;
-  out["bytes_in_per_tick"] = figures.bytes_in_per_tick;
-  return out.dump(2) + "\n";
+  return text;
 }
 
 }  // namespace bench

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,14 @@ struct Row {
 
 /// Mean, median and 99 % quantile of the times of one part.
 Row row_of(std::string part, std::vector<double> seconds);
+
+/// Games played at the same time, each on a processor of its own.
+struct Scaling {
+  int workers = 0;
+  double alone = 0;     ///< games per hour of one worker
+  double together = 0;  ///< of all
+  double ratio() const { return together / alone; }
+};
 
 /// What `matchday bench` measured.
 struct Figures {
@@ -35,6 +44,9 @@ struct Figures {
   double messages_per_tick = 0;
   double bytes_out_per_tick = 0;  ///< to both teams
   double bytes_in_per_tick = 0;   ///< from both teams
+  double calls_per_tick = 0;      ///< of the system, by the host for the channels
+  double switches_per_tick = 0;   ///< from one process to another, all three
+  std::optional<Scaling> scaling;
 
   double tick_wall() const { return loop_seconds / static_cast<double>(ticks); }
   /// Simulated time over wall time, stepped ticks only.
@@ -45,6 +57,13 @@ struct Figures {
 
 /// For a reader.
 std::string table(const Figures& figures);
+/// For `--compare` and for other programs.
 std::string json(const Figures& figures);
+
+/// Figures that `json` wrote; medians and quantiles stay unknown.
+///
+/// @param file  its name, for the sentence
+/// @throws std::invalid_argument naming file and field when the text is damaged or another program's
+Figures figures_from_json(const std::string& text, const std::string& file);
 
 }  // namespace bench

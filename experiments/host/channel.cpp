@@ -28,7 +28,8 @@ Channel::Channel(Channel&& other) noexcept
     : socket_(std::exchange(other.socket_, -1)),
       reader_(std::move(other.reader_)),
       buffer_(std::move(other.buffer_)),
-      bytes_in_(other.bytes_in_) {}
+      bytes_in_(other.bytes_in_),
+      calls_(other.calls_) {}
 
 Channel::~Channel() {
   if (socket_ >= 0) ::close(socket_);
@@ -36,6 +37,7 @@ Channel::~Channel() {
 
 Channel::Status Channel::send(std::string_view& rest) {
   while (!rest.empty()) {
+    ++calls_;
     const ssize_t count = ::send(socket_, rest.data(), rest.size(), MSG_NOSIGNAL);
     if (count < 0) {
       if (errno == EINTR) continue;
@@ -52,6 +54,7 @@ Channel::Status Channel::receive(std::span<const std::byte>& payload) {
       payload = *frame;
       return Status::Done;
     }
+    ++calls_;
     const ssize_t count = ::recv(socket_, buffer_.data(), buffer_.size(), 0);
     if (count < 0) {
       if (errno == EINTR) continue;

@@ -36,12 +36,15 @@ class Channel {
   Status receive(std::span<const std::byte>& payload);
 
   std::int64_t bytes_in() const { return bytes_in_; }
+  /// How often the system was called for it, both ways.
+  std::int64_t calls() const { return calls_; }
 
  private:
   int socket_;
   wire::FrameReader reader_;
   std::vector<std::byte> buffer_;
   std::int64_t bytes_in_ = 0;
+  std::int64_t calls_ = 0;
 };
 
 }  // namespace host

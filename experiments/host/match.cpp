@@ -213,6 +213,7 @@ void Match::play_ticks() {
   if (options_.stopwatch != nullptr) {
     options_.stopwatch->loop_seconds = std::chrono::duration<double>(Deadline::Clock::now() - begin).count();
     options_.stopwatch->bytes_in = teams_.yellow->bytes_in() + teams_.blue->bytes_in();
+    options_.stopwatch->channel_calls = teams_.yellow->channel_calls() + teams_.blue->channel_calls();
   }
 }
 
@@ -295,8 +296,11 @@ void Match::exchange() {
   // the other.
   const Deadline deadline(options_.reply_deadline);
   for (const world::Team team : world::both_teams) teams_[team]->send(frames[team], deadline, idle_);
+  // First the one that was written to last: by then the other has answered, which wakes nobody.
   world::PerTeam<bool> came;
-  for (const world::Team team : world::both_teams) came[team] = teams_[team]->receive(deadline, idle_);
+  for (const world::Team team : {world::Team::Blue, world::Team::Yellow}) {
+    came[team] = teams_[team]->receive(deadline, idle_);
+  }
   lap(Part::Channel);
 
   for (const world::Team team : world::both_teams) {

@@ -36,6 +36,11 @@ std::string hello_frame(world::Team team, const record::MatchConfig& config, con
   return frame;
 }
 
+// Twice an ordinary tick: most games never need more.
+TickMessages::TickMessages() {
+  for (std::string* buffer : {&shared_, &frames_.yellow, &frames_.blue}) buffer->reserve(4096);
+}
+
 void TickMessages::encode(const engine::Engine& engine, const world::RefereeMessage& referee,
                           bool referee_changed) {
   tick_.set_tick(engine.tick());
@@ -73,6 +78,13 @@ const std::string& TickMessages::frame(world::Team team, const engine::Engine& e
 
 void TickMessages::refuse(world::Team team, std::string_view code, std::string_view why) {
   wire::add_error(code, why, responses_[team]);
+}
+
+const wire::proto::TeamMessage* MessageParser::parse(std::span<const std::byte> payload) {
+  arena_.Reset();
+  auto* message = google::protobuf::Arena::CreateMessage<wire::proto::TeamMessage>(&arena_);
+  const bool good = message->ParseFromArray(payload.data(), static_cast<int>(payload.size()));
+  return good ? message : nullptr;
 }
 
 }  // namespace host

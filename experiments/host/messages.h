@@ -1,6 +1,10 @@
 #pragma once
 
+#include <google/protobuf/arena.h>
+
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +25,8 @@ std::string hello_frame(world::Team team, const record::MatchConfig& config, con
 /// one is sent again.
 class TickMessages {
  public:
+  TickMessages();
+
   /// Encodes what both teams get.
   void encode(const engine::Engine& engine, const world::RefereeMessage& referee, bool referee_changed);
 
@@ -44,6 +50,17 @@ class TickMessages {
   world::PerTeam<std::string> frames_;
   world::PerTeam<wire::proto::RobotControlResponse> responses_;
   std::vector<wire::Feedback> feedback_;
+};
+
+/// Reads what a team sent, in memory that is used again: nothing is allocated after the first message.
+class MessageParser {
+ public:
+  /// The message, valid until the next call; null when the bytes are none.
+  const wire::proto::TeamMessage* parse(std::span<const std::byte> payload);
+
+ private:
+  std::vector<char> memory_ = std::vector<char>(16384);
+  google::protobuf::Arena arena_{memory_.data(), memory_.size()};
 };
 
 }  // namespace host

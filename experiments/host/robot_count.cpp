@@ -1,21 +1,24 @@
 #include "experiments/host/robot_count.h"
 
 #include <algorithm>
+#include <boost/container/static_vector.hpp>
 #include <numbers>
 #include <optional>
 
 namespace host {
 namespace {
 
-std::vector<std::uint8_t> on_field(const truth::Frame& truth, world::Team team) {
-  std::vector<std::uint8_t> numbers;
+using Numbers = boost::container::static_vector<std::uint8_t, world::max_robot_number + 1>;
+
+Numbers on_field(const truth::Frame& truth, world::Team team) {
+  Numbers numbers;
   for (const truth::Robot& robot : truth.robots) {
     if (robot.id.team == team) numbers.push_back(robot.id.number);
   }
   return numbers;
 }
 
-std::optional<std::uint8_t> who_leaves(const std::vector<std::uint8_t>& numbers, int keeper,
+std::optional<std::uint8_t> who_leaves(const Numbers& numbers, int keeper,
                                        std::optional<std::uint8_t> preferred) {
   if (preferred && std::find(numbers.begin(), numbers.end(), *preferred) != numbers.end()) return preferred;
   for (auto number = numbers.rbegin(); number != numbers.rend(); ++number) {

@@ -45,7 +45,8 @@ class Stopwatch {
   std::int64_t messages = 0;  ///< both ways
   std::int64_t bytes_out = 0;
   std::int64_t bytes_in = 0;
-  double loop_seconds = 0;  ///< wall, of the tick loop alone
+  std::int64_t channel_calls = 0;  ///< of the system, by the host
+  double loop_seconds = 0;         ///< wall, of the tick loop alone
 
  private:
   void add(Part part, Clock::duration taken) {

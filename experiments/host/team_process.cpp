@@ -111,9 +111,7 @@ bool TeamProcess::receive(const Deadline& deadline, const Idle& while_waiting) {
 }
 
 const wire::proto::TeamMessage* TeamProcess::message() {
-  arena_.Reset();
-  auto* message = google::protobuf::Arena::CreateMessage<wire::proto::TeamMessage>(&arena_);
-  if (message->ParseFromArray(payload_.data(), static_cast<int>(payload_.size()))) return message;
+  if (const wire::proto::TeamMessage* message = parser_.parse(payload_)) return message;
   blame(Termination::Nonsense,
         "sent " + std::to_string(payload_.size()) + " bytes that are not a TeamMessage");
   return nullptr;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <google/protobuf/arena.h>
-
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -9,14 +7,13 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "experiments/host/channel.h"
 #include "experiments/host/listener.h"
+#include "experiments/host/messages.h"
 #include "experiments/process/child.h"
 #include "experiments/record/match_config.h"
 #include "experiments/record/match_record.h"
-#include "sim/wire/match.h"
 
 namespace host {
 
@@ -73,6 +70,7 @@ class TeamProcess {
   /// What it has used so far, or had when it ended.
   const process::Usage& usage() const { return usage_; }
   std::int64_t bytes_in() const { return channel_ ? channel_->bytes_in() : 0; }
+  std::int64_t channel_calls() const { return channel_ ? channel_->calls() : 0; }
   pid_t pid() const { return child_ ? child_->pid() : -1; }
 
  private:
@@ -84,9 +82,7 @@ class TeamProcess {
   std::optional<process::Child> child_;
   std::optional<Channel> channel_;
   std::span<const std::byte> payload_;  // of the last frame, in the channel's memory
-  // Messages are made in memory that is used again: parsing allocates nothing after the first tick.
-  std::vector<char> message_memory_ = std::vector<char>(16384);
-  google::protobuf::Arena arena_{message_memory_.data(), message_memory_.size()};
+  MessageParser parser_;
   std::optional<Fault> fault_;
   process::Usage usage_;
 };

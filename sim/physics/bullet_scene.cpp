@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/physics/hull.h"
+#include "sim/physics/prism_shape.h"
 
 namespace physics {
 namespace {
@@ -122,17 +123,16 @@ BulletScene::BulletScene(const world::Field& field, std::span<const world::Robot
   ball_ = &add_body(ball.mass, bt(Vector3d::Constant(ball_inertia)), *shapes_.back(), of_ball.restitution,
                     of_ball.friction);
   ball_->setUserIndex(ball_index);
+  reach_.reserve(robots.size() + 1);  // the bodies keep pointers
+  reach_.push_back(f(ball.radius));
+  Dispatcher::set_reach(*ball_, reach_.back());
   ball_->setCenterOfMassTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, f(ball.radius))));
   world_.addRigidBody(ball_, ball_group, fixture_group | robot_group);
 
   for (const world::RobotSpecs& specs : robots) {
     const double margin = params.solver.hull_margin;
-    auto shape = std::make_unique<btConvexHullShape>();
-    for (const Vector2d& corner : hull_corners(specs, params.solver.hull_segments, margin)) {
-      for (const double s : {-1.0, 1.0}) {
-        shape->addPoint(bt({corner.x(), corner.y(), s * (specs.height / 2 - margin)}), false);
-      }
-    }
+    auto shape = std::make_unique<PrismShape>(hull_corners(specs, params.solver.hull_segments, margin),
+                                              specs.height / 2 - margin);
     shape->setMargin(f(margin));
     shape->recalcLocalAabb();
     const double inertia = 0.5 * specs.mass * specs.radius * specs.radius;  // solid cylinder
@@ -142,6 +142,8 @@ BulletScene::BulletScene(const world::Field& field, std::span<const world::Robot
     body.setLinearFactor({1, 1, 0});
     body.setAngularFactor(btVector3(0, 0, 1));
     body.setUserIndex(static_cast<int>(robots_.size()));
+    reach_.push_back(f(specs.radius));
+    Dispatcher::set_reach(body, reach_.back());
     shapes_.push_back(std::move(shape));
     robots_.push_back(&body);
     robot_height_.push_back(specs.height / 2);
@@ -252,15 +254,14 @@ void BulletScene::set_ball_restitution(bool at_dribbler) {
 }
 
 void BulletScene::step(double duration, std::vector<BallContact>& ball_contacts) {
-  world_.stepSimulation(f(duration), 0);
+  world_.step(f(duration));
   read_contacts(ball_contacts);
 }
 
 void BulletScene::read_contacts(std::vector<BallContact>& contacts) const {
   contacts.clear();
   const int count = dispatcher_.getNumManifolds();
-  btPersistentManifold* const* manifolds =
-      const_cast<btCollisionDispatcher&>(dispatcher_).getInternalManifoldPointer();
+  btPersistentManifold* const* manifolds = const_cast<Dispatcher&>(dispatcher_).getInternalManifoldPointer();
   for (int i = 0; i < count; ++i) {
     const btPersistentManifold& manifold = *manifolds[i];
     const int points = manifold.getNumContacts();

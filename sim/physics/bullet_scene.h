@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "sim/physics/bullet_world.h"
+#include "sim/physics/dispatcher.h"
 #include "sim/physics/fixtures.h"
 #include "sim/physics/params.h"
 #include "sim/physics/state.h"
@@ -73,14 +75,15 @@ class BulletScene {
   void read_contacts(std::vector<BallContact>& contacts) const;
 
   btDefaultCollisionConfiguration configuration_;
-  btCollisionDispatcher dispatcher_;
+  Dispatcher dispatcher_;
   btAxisSweep3 broadphase_;
   btSequentialImpulseConstraintSolver solver_;
-  btDiscreteDynamicsWorld world_;
+  BulletWorld world_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;  // fixtures, ball, robots
   std::vector<btRigidBody*> robots_;
   std::vector<double> robot_height_;  // of the body's origin [m]
+  std::vector<float> reach_;          // [m] of ball and robots from their axes
   btRigidBody* ball_ = nullptr;
   float ball_restitution_ = 0;
   float ball_dribbler_restitution_ = 0;

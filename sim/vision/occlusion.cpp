@@ -2,10 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <vector>
 
 namespace vision {
 namespace {
@@ -16,7 +16,8 @@ using world::Vector3d;
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // A convex polygon, counter-clockwise, in a plane where the ball is the unit disc.
-using Polygon = std::vector<Vector2d>;
+// Room for what two robots hide together: 23 corners each at most. None of them allocates.
+using Polygon = boost::container::small_vector<Vector2d, 48>;
 
 // Area and first moments of a part of the unit disc.
 struct Part {
@@ -70,8 +71,8 @@ Part shared_with_disc(const Polygon& polygon) {
   return part;
 }
 
-// The intersection of two convex polygons: `subject` cut along each edge of `knife`.
-Polygon intersection(Polygon subject, const Polygon& knife) {
+// Leaves the intersection of two convex polygons in `subject`: cut along each edge of `knife`.
+void intersect(Polygon& subject, const Polygon& knife) {
   Polygon kept;
   for (std::size_t i = 0; i < knife.size() && !subject.empty(); ++i) {
     const Vector2d& origin = knife[i];
@@ -86,9 +87,8 @@ Polygon intersection(Polygon subject, const Polygon& knife) {
         kept.push_back(here + (next - here) * (inside_here / (inside_here - inside_next)));
       }
     }
-    subject.swap(kept);
+    subject = kept;
   }
-  return subject;
 }
 
 // A polygon with what it hides of the disc.
@@ -104,9 +104,10 @@ void add_hidden(const Cover& cover, double sign, std::span<const Cover> others, 
   hidden.area += sign * cover.part.area;
   hidden.moment += sign * cover.part.moment;
   for (std::size_t i = 0; i < others.size(); ++i) {
-    Polygon common = intersection(cover.polygon, others[i].polygon);
-    const Part part = shared_with_disc(common);
-    add_hidden({std::move(common), part}, -sign, others.subspan(i + 1), hidden);
+    Cover common = cover;
+    intersect(common.polygon, others[i].polygon);
+    common.part = shared_with_disc(common.polygon);
+    add_hidden(common, -sign, others.subspan(i + 1), hidden);
   }
 }
 
@@ -144,13 +145,13 @@ struct SightPlane {
 
 // The outline of a prism of this base as the camera sees it: far edges at the top, near edges on the carpet.
 template <std::size_t count>
-Polygon silhouette(const std::array<Vector2d, count>& base, double height, const SightPlane& plane) {
+void silhouette(const std::array<Vector2d, count>& base, double height, const SightPlane& plane,
+                Polygon& outline) {
   const Vector2d foot = plane.camera.head<2>();
   const auto is_far = [&](std::size_t i) {  // edge from corner i to the next
     return cross(base[i] - foot, base[(i + 1) % count] - foot) > 0;
   };
-  Polygon outline;
-  outline.reserve(count + 2);
+  outline.clear();
   bool before = is_far(count - 1);
   for (std::size_t i = 0; i < count; ++i) {
     const bool after = is_far(i);
@@ -158,7 +159,6 @@ Polygon silhouette(const std::array<Vector2d, count>& base, double height, const
     if (before != after) outline.push_back(plane.seen(base[i], after ? height : 0));
     before = after;
   }
-  return outline;
 }
 
 }  // namespace
@@ -210,7 +210,7 @@ BallView Occlusion::view(const Vector3d& camera, const Vector3d& ball,
   const double slack = 2 * ball_radius_ * (1 + foot_distance / depth);  // half of it: the disc on the carpet
   const double reach = radius_ + slack + (foot_distance + slack) * height_ / (camera.z() - height_);
 
-  std::vector<Cover> covers;
+  boost::container::small_vector<Cover, 4> covers;  // more than four robots between ball and camera are rare
   std::optional<SightPlane> plane;
   for (const truth::Robot& robot : robots) {
     if ((robot.position - ball.head<2>()).squaredNorm() > reach * reach) continue;
@@ -224,17 +224,18 @@ BallView Occlusion::view(const Vector3d& camera, const Vector3d& ball,
       base[i] = robot.position + Vector2d(forward.x() * corner.x() - forward.y() * corner.y(),
                                           forward.y() * corner.x() + forward.x() * corner.y());
     }
-    Polygon polygon = silhouette(base, height_, *plane);
-    const Part part = shared_with_disc(polygon);
-    if (part.area >= std::numbers::pi) {  // all of it: the others do not matter
+    Cover cover;
+    silhouette(base, height_, *plane, cover.polygon);
+    cover.part = shared_with_disc(cover.polygon);
+    if (cover.part.area >= std::numbers::pi) {  // all of it: the others do not matter
       view.share = 0;
       return view;
     }
-    if (part.area > 0) covers.push_back({std::move(polygon), part});
+    if (cover.part.area > 0) covers.push_back(cover);
   }
   Part hidden;
   for (std::size_t i = 0; i < covers.size(); ++i) {
-    add_hidden(covers[i], 1, std::span(covers).subspan(i + 1), hidden);
+    add_hidden(covers[i], 1, std::span<const Cover>(covers.data(), covers.size()).subspan(i + 1), hidden);
   }
   if (hidden.area <= 0) return view;
   const double visible = std::numbers::pi - hidden.area;

@@ -175,18 +175,18 @@ void encode_team(const world::TeamInfo& team, proto::Referee::TeamInfo& out) {
   out.set_max_allowed_bots(to_unsigned(team.max_robots));
 }
 
-world::TeamInfo decode_team(const proto::Referee::TeamInfo& team) {
-  world::TeamInfo result;
+void decode_team(const proto::Referee::TeamInfo& team, world::TeamInfo& result) {
   result.name = team.name();
   result.score = to_int(team.score());
   result.red_cards = to_int(team.red_cards());
+  result.yellow_card_times.clear();
   for (const std::uint32_t time : team.yellow_card_times()) result.yellow_card_times.push_back(from_us(time));
   result.yellow_cards = to_int(team.yellow_cards());
   result.timeouts = to_int(team.timeouts());
   result.timeout_time = from_us(team.timeout_time());
   result.keeper = to_int(team.goalkeeper());
-  if (team.has_max_allowed_bots()) result.max_robots = to_int(team.max_allowed_bots());
-  return result;
+  result.max_robots =
+      team.has_max_allowed_bots() ? to_int(team.max_allowed_bots()) : world::TeamInfo{}.max_robots;
 }
 
 std::optional<world::Time> decode_time(std::uint64_t microseconds, Epoch epoch) {
@@ -218,32 +218,41 @@ void encode(const world::RefereeMessage& message, Epoch epoch, proto::Referee& o
 }
 
 std::optional<world::RefereeMessage> decode(const proto::Referee& message, Epoch epoch) {
+  world::RefereeMessage result;
+  if (!decode(message, epoch, result)) return std::nullopt;
+  return result;
+}
+
+bool decode(const proto::Referee& message, Epoch epoch, world::RefereeMessage& out) {
   const std::optional<world::Time> time = decode_time(message.packet_timestamp(), epoch);
   const std::optional<world::Time> command_time = decode_time(message.command_timestamp(), epoch);
-  if (!message.has_stage() || !message.has_command() || !time || !command_time) return std::nullopt;
+  if (!message.has_stage() || !message.has_command() || !time || !command_time) return false;
 
-  world::RefereeMessage result;
-  result.time = *time;
-  result.stage = from_wire(message.stage());
-  if (message.has_stage_time_left()) result.stage_time_left = from_us(message.stage_time_left());
-  result.command = from_wire(message.command());
-  result.command_counter = message.command_counter();
-  result.command_time = *command_time;
-  result.teams.yellow = decode_team(message.yellow());
-  result.teams.blue = decode_team(message.blue());
+  out.time = *time;
+  out.stage = from_wire(message.stage());
+  out.stage_time_left.reset();
+  if (message.has_stage_time_left()) out.stage_time_left = from_us(message.stage_time_left());
+  out.command = from_wire(message.command());
+  out.command_counter = message.command_counter();
+  out.command_time = *command_time;
+  decode_team(message.yellow(), out.teams.yellow);
+  decode_team(message.blue(), out.teams.blue);
   const proto::Referee::Point& point = message.designated_position();
+  out.designated_position.reset();
   if (message.has_designated_position() && is_coordinate(point.x()) && is_coordinate(point.y())) {
-    result.designated_position = world::Vector2d(from_mm(point.x()), from_mm(point.y()));
+    out.designated_position = world::Vector2d(from_mm(point.x()), from_mm(point.y()));
   }
-  if (message.has_blue_team_on_positive_half()) {
-    result.blue_on_positive_half = message.blue_team_on_positive_half();
-  }
-  if (message.has_next_command()) result.next_command = from_wire(message.next_command());
+  out.blue_on_positive_half = message.has_blue_team_on_positive_half()
+                                  ? message.blue_team_on_positive_half()
+                                  : world::RefereeMessage{}.blue_on_positive_half;
+  out.next_command.reset();
+  if (message.has_next_command()) out.next_command = from_wire(message.next_command());
+  out.action_time_left.reset();
   if (message.has_current_action_time_remaining()) {
-    result.action_time_left = from_us(message.current_action_time_remaining());
+    out.action_time_left = from_us(message.current_action_time_remaining());
   }
-  result.status = message.status_message();
-  return result;
+  out.status = message.status_message();
+  return true;
 }
 
 }  // namespace wire

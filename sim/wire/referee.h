@@ -23,6 +23,8 @@ void encode(const world::RefereeMessage& message, Epoch epoch, proto::Referee& o
 ///
 /// BALL_PLACEMENT, which the paper does not have, reads as STOP with its designated position.
 std::optional<world::RefereeMessage> decode(const proto::Referee& message, Epoch epoch);
+/// The same into memory that is used again; false, and `out` unchanged, where the other returns nothing.
+bool decode(const proto::Referee& message, Epoch epoch, world::RefereeMessage& out);
 
 /// The league's event for one of ours; false, and `out` empty, when the league has none.
 bool encode(const world::GameEvent& event, Epoch epoch, proto::GameEvent& out);

@@ -92,9 +92,16 @@ Result<RobotOrder> decode_order(const proto::RobotCommand& command) {
 }
 
 void encode(const world::TeamCommands& commands, proto::RobotControl& out) {
-  out.Clear();
+  // Not cleared: that would free each velocity, the member of a oneof, to make it anew below.
+  auto& entries = *out.mutable_robot_commands();
+  while (entries.size() > static_cast<int>(commands.size())) entries.RemoveLast();
+  int count = 0;
   for (const world::RobotCommand& command : commands) {
-    proto::RobotCommand& entry = *out.add_robot_commands();
+    proto::RobotCommand& entry = count < entries.size() ? *entries.Mutable(count) : *entries.Add();
+    ++count;
+    entry.clear_kick_speed();
+    entry.clear_kick_angle();
+    entry.clear_dribbler_speed();
     entry.set_id(command.number);
     proto::MoveLocalVelocity& velocity = *entry.mutable_move_command()->mutable_local_velocity();
     velocity.set_forward(static_cast<float>(command.velocity_local.x()));

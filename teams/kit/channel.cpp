@@ -35,6 +35,7 @@ std::optional<std::span<const std::byte>> Channel::read() {
   std::array<std::byte, 1 << 16> bytes;
   while (true) {
     if (const auto frame = frames_.next()) return frame;
+    ++calls_;
     const ssize_t got = ::read(descriptor_, bytes.data(), bytes.size());
     if (got > 0) {
       frames_.append(std::span(bytes.data(), static_cast<std::size_t>(got)));
@@ -49,6 +50,7 @@ std::optional<std::span<const std::byte>> Channel::read() {
 
 void Channel::write(std::string_view bytes) {
   while (!bytes.empty()) {
+    ++calls_;
     const ssize_t sent = ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (sent >= 0) {
       bytes.remove_prefix(static_cast<std::size_t>(sent));

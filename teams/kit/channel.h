@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,9 +33,13 @@ class Channel {
   /// @throws std::runtime_error when the host is gone
   void write(std::string_view bytes);
 
+  /// How often the system was called for it, both ways.
+  std::int64_t calls() const { return calls_; }
+
  private:
   int descriptor_;
   wire::FrameReader frames_;
+  std::int64_t calls_ = 0;
 };
 
 }  // namespace kit

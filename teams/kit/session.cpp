@@ -53,7 +53,8 @@ struct Session::Messages {
   std::optional<tracker::Tracker> tracker;
   std::optional<Looker> looker;
   std::vector<world::Detection> detections;
-  std::optional<world::RefereeMessage> referee;
+  world::RefereeMessage referee;
+  bool refereed = false;  // a referee message has come
   std::vector<std::uint8_t> contacts;
   world::TeamCommands commands;
 };
@@ -116,7 +117,7 @@ void Session::hello() {
   m.setup = setup;
   m.tracker.emplace(setup.geometry);
   m.looker.emplace(setup);
-  m.referee.reset();
+  m.refereed = false;
   team_ = make_team_(setup, options_.notes);
 
   matchday::match::TeamMessage reply;
@@ -143,7 +144,7 @@ void Session::tick(std::span<const std::byte> match_tick) {
   }
   m.tracker->update(std::span(m.detections.data(), count));
   if (m.tick.has_referee()) {
-    if (auto message = wire::decode(m.tick.referee(), {})) m.referee = std::move(message);
+    m.refereed |= wire::decode(m.tick.referee(), {}, m.referee);
   }
   m.contacts.clear();
   for (const auto& feedback : m.tick.feedback().feedback()) {
@@ -153,8 +154,8 @@ void Session::tick(std::span<const std::byte> match_tick) {
   }
 
   m.commands.clear();
-  if (m.referee) {
-    const View& view = m.looker->look(m.tick.tick(), m.tracker->frame(), *m.referee, m.contacts);
+  if (m.refereed) {
+    const View& view = m.looker->look(m.tick.tick(), m.tracker->frame(), m.referee, m.contacts);
     if (view.game.phase != Phase::Halt) team_->play(view, m.commands);
   }
   m.looker->sent(m.commands);

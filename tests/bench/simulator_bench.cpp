@@ -43,6 +43,29 @@ void physics_idle(benchmark::State& state) {
 }
 BENCHMARK(physics_idle)->Unit(benchmark::kMicrosecond);
 
+// All twelve drive at the ball and go on pushing: a heap of robots that stays.
+void physics_crowd(benchmark::State& state) {
+  std::vector<Arena::At> places;
+  for (int i = 0; i < 12; ++i)
+    places.push_back({world::direction(i * M_PI / 6) * (0.6 + 0.2 * (i % 3)), 0.5 * i});
+  for (auto _ : state) {
+    Arena arena(places);
+    arena.world.place_ball(world::Vector2d(0, 0));
+    for (int tick = 0; tick < ticks_per_round / 4; ++tick) {
+      arena.world.read_robots(arena.robots);
+      for (std::size_t i = 0; i < 12; ++i) {
+        const world::Vector2d way = arena.ball().position.head<2>() - arena.robots[i].position;
+        world::RobotCommand command;
+        command.velocity_local = world::rotated(way.normalized() * 2, -arena.robots[i].orientation);
+        arena.world.set_command(i, command);
+      }
+      arena.run(world::tick_length);
+    }
+  }
+  per_tick(state, static_cast<double>(state.iterations()) * ticks_per_round / 4);
+}
+BENCHMARK(physics_crowd)->Unit(benchmark::kMillisecond);
+
 struct Moment {
   truth::Ball ball;
   std::vector<truth::Robot> robots;

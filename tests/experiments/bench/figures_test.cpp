@@ -46,5 +46,12 @@ TEST(Figures, TableAndJsonShowEachPartAlsoAsARatioToTheReferenceScene) {
   EXPECT_THAT(json(example()), HasSubstr("\"of_reference\": 0.4"));
 }
 
+TEST(Figures, ShowGamesPerHourOnlyWhenTheyWereMeasured) {
+  EXPECT_THAT(table(example()), testing::Not(HasSubstr("games per hour")));
+  Figures figures = example();
+  figures.scaling = Scaling{2, 500, 990};
+  EXPECT_THAT(table(figures), HasSubstr("500 with 1 worker, 990 with 2, 1.98 times as many\n"));
+}
+
 }  // namespace
 }  // namespace bench
