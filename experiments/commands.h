@@ -129,6 +129,27 @@ struct WorkerOptions {
 /// One game for a runner.
 int worker(const WorkerOptions& options);
 
+struct JudgeOptions {
+  std::filesystem::path design;
+  std::filesystem::path out;              ///< empty: results/judge-<name of the design>
+  int games = 0;                          ///< at most so many; 0: all
+  int workers = 0;                        ///< 0: one per processor
+  std::vector<std::string> shadows;       ///< besides the acting referee and rule set paper
+  std::string show;                       ///< GAME:FIRST-LAST: only tell that passage
+  bool sweep = false;                     ///< and those of the sweeps
+  std::string version;                    ///< of matchday
+  std::vector<std::string> command_line;  ///< as we were called
+};
+/// Games of a design with shadows looking on, compared with the truth; then the tables.
+int judge(const JudgeOptions& options);
+
+struct JudgeGameOptions {
+  std::filesystem::path job;
+  std::filesystem::path result;
+};
+/// One game for `judge`.
+int judge_game(const JudgeGameOptions& options);
+
 /// A preset as TOML with the meaning, unit and range of every key.
 int realism(const RealismOptions& options);
 

@@ -175,6 +175,30 @@ void add_show_realism(CLI::App& main, commands::RealismOptions& options) {
   add_realism(app, "preset", options);
 }
 
+void add_judge(CLI::App& main, commands::JudgeOptions& options) {
+  CLI::App& app = *main.add_subcommand(
+      "judge", "play games of a design, compare the referee's calls with the truth, and write the tables");
+  app.add_option("design", options.design, "design file, see experiments/designs/README.md")->required();
+  app.add_option("--out", options.out, "result folder; default: results/judge-<name of the design>");
+  app.add_option("--games", options.games, "only so many of its games")->check(CLI::Range(1, 1000000));
+  app.add_option("--workers", options.workers, "games at a time; default: one per processor")
+      ->check(CLI::Range(1, 1024));
+  app.add_option("--shadow", options.shadows,
+                 "compare another referee too, as rules=paper, touch=accel+line or vision.ball_sigma=0.002; "
+                 "may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--show", options.show,
+                 "only play one game again and tell a passage tick by tick: GAME:FIRST-LAST, as failures.csv "
+                 "names it");
+  app.add_flag("--sweep", options.sweep, "compare referees with worse and better eyes: 14 shadows");
+}
+
+void add_judge_game(CLI::App& main, commands::JudgeGameOptions& options) {
+  CLI::App& app = *main.add_subcommand("judge-game", "one game for judge")->group("");
+  app.add_option("job", options.job)->required();
+  app.add_option("result", options.result)->required();
+}
+
 void add_worker(CLI::App& main, commands::WorkerOptions& options) {
   CLI::App& app = *main.add_subcommand("worker", "play one game for a runner")->group("");
   app.add_option("job", options.job)->required();
@@ -225,6 +249,8 @@ int matchday(int argc, char** argv) {
   commands::ReportOptions report;
   commands::ReplayOptions replay;
   commands::WorkerOptions worker;
+  commands::JudgeOptions judge;
+  commands::JudgeGameOptions judge_game;
   bench::BenchOptions bench;
   commands::RealismOptions bench_realism;
   commands::RealismOptions realism;
@@ -238,6 +264,8 @@ int matchday(int argc, char** argv) {
   add_bench(app, bench, bench_realism);
   add_show_realism(app, realism);
   add_worker(app, worker);
+  add_judge(app, judge);
+  add_judge_game(app, judge_game);
 
   if (argc > 1 && argv[1][0] != '-') check_command(app, argv[1]);
   check_flags(app, argc, argv);
@@ -255,6 +283,12 @@ int matchday(int argc, char** argv) {
   if (app.got_subcommand("report")) return commands::report(report);
   if (app.got_subcommand("replay")) return commands::replay(replay);
   if (app.got_subcommand("worker")) return commands::worker(worker);
+  if (app.got_subcommand("judge-game")) return commands::judge_game(judge_game);
+  if (app.got_subcommand("judge")) {
+    judge.version = MATCHDAY_VERSION;
+    judge.command_line.assign(argv, argv + argc);
+    return commands::judge(judge);
+  }
   if (app.got_subcommand("bench")) return commands::bench(bench, bench_realism);
   if (app.got_subcommand("realism")) return commands::realism(realism);
   if (app.got_subcommand("compare")) {

@@ -214,6 +214,7 @@ void Match::create_referee() {
 
 void Match::play_ticks() {
   if (options_.stopwatch != nullptr) engine_.measure(&timing_);
+  if (options_.on_start) options_.on_start(engine_);
   const auto begin = Deadline::Clock::now();
   while (tick()) {
     if (engine_.tick() % world::ticks_per_second == 0) {

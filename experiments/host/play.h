@@ -39,6 +39,8 @@ struct Options {
   std::function<bool()> interrupted;
   /// Called with every entry of the timeline as it happens, together with the score after it.
   std::function<void(const record::CallEntry&, const world::PerTeam<int>& score)> on_call;
+  /// Called once before the first tick, for those who look on with cameras of their own.
+  std::function<void(engine::Engine&)> on_start;
   /// Called in every tick after the referee has seen it, before its wishes are granted.
   std::function<void(const engine::Engine&, const referee::Referee&)> on_tick;
   /// Called once per simulated second.

@@ -98,6 +98,7 @@ struct Engine::State {
   std::vector<RobotRadio> radios;                          // as specs
   std::vector<world::PerTeam<world::TeamCommands>> queue;  // ring of latency + 1 ticks
   truth::Frame frame;
+  std::vector<vision::Cameras*> guests;  // cameras of others
   Timing* timing = nullptr;
 };
 
@@ -140,21 +141,27 @@ void Engine::step(const world::PerTeam<world::TeamCommands>& commands) {
   frame.contacts.clear();
   frame.kicks.clear();
   state.cameras.begin_tick();
+  for (vision::Cameras* guest : state.guests) guest->begin_tick();
   for (int substep = 1; substep <= world::substeps_per_tick; ++substep) {
     const world::Time now = world::tick_time(frame.tick, substep);
     state.world.substep(now, frame.contacts, frame.kicks);
     const bool last = substep == world::substeps_per_tick;
-    if (last || state.cameras.captures_after(substep)) {
+    const bool guests_look = std::any_of(state.guests.begin(), state.guests.end(),
+                                         [&](const auto* guest) { return guest->captures_after(substep); });
+    if (last || guests_look || state.cameras.captures_after(substep)) {
       state.read_poses();
       const auto begin = state.timing != nullptr ? std::chrono::steady_clock::now()
                                                  : std::chrono::steady_clock::time_point{};
       state.cameras.capture(substep, now, frame.ball, frame.robots);
       if (state.timing != nullptr) state.timing->vision += std::chrono::steady_clock::now() - begin;
+      for (vision::Cameras* guest : state.guests) guest->capture(substep, now, frame.ball, frame.robots);
     }
   }
   ++frame.tick;
   frame.time = world::tick_time(frame.tick);
 }
+
+void Engine::also_seen_by(vision::Cameras& cameras) { state_->guests.push_back(&cameras); }
 
 void Engine::measure(Timing* timing) { state_->timing = timing; }
 

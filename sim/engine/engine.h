@@ -10,6 +10,10 @@
 #include "sim/world/detection.h"
 #include "sim/world/robot_command.h"
 
+namespace vision {
+class Cameras;
+}
+
 namespace engine {
 
 /// Where the time of a step goes; nothing in the simulation depends on it.
@@ -60,6 +64,10 @@ class Engine {
   /// robots that do not exist, and numbers that are not finite, count as nothing; of two for one robot the
   /// last one counts.
   void step(const world::PerTeam<world::TeamCommands>& commands);
+
+  /// Other cameras on the same world: from now on they take their images at the same instants as the
+  /// model's own. Nothing in the simulation depends on them; they must outlive the engine.
+  void also_seen_by(vision::Cameras& cameras);
 
   /// Adds to `timing` from now on; null, as at first: no clock is read.
   void measure(Timing* timing);

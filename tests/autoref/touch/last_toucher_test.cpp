@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "autoref/tracker/tracker.h"
+#include "experiments/judge/true_touches.h"
 #include "sim/engine/engine.h"
 #include "sim/engine/realism.h"
-#include "tests/autoref/touch/true_touches.h"
 
 namespace touch {
 namespace {
@@ -43,20 +43,20 @@ Outcome passage(double speed, double gap, bool yellow_stands_there, std::uint64_
 
   tracker::Tracker tracker(model.geometry);
   LastToucher detector(model.geometry.field);
-  study::TrueTouches touches;
+  judge::TrueTouches touches;
   std::vector<world::Touch> found;
   Outcome outcome;
   const int ticks = 90;  // the ball arrives after 0.3 to 0.6 s
   for (int n = 0; n < ticks; ++n) {
     engine.step({});
-    touches.add(engine.truth());
+    touches.add(engine.truth(), true);
     const world::TrackedFrame* frame = tracker.update(engine.detections());
     if (!frame) continue;
     found.clear();
     detector.update(*frame, engine.detections(), found);
     for (const world::Touch& touch : found) outcome.said = touch;
   }
-  outcome.truth = touches.toucher();
+  if (const auto* last = touches.last_at(engine.time())) outcome.truth = touches[last->touch].robot;
   return outcome;
 }
 

@@ -1,0 +1,294 @@
+#include <fmt/format.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+
+#include "experiments/commands.h"
+#include "experiments/exit_code.h"
+#include "experiments/host/play.h"
+#include "experiments/judge/game_file.h"
+#include "experiments/judge/tables.h"
+#include "experiments/process/child.h"
+#include "experiments/record/ledger.h"
+#include "experiments/runner/manifest.h"
+#include "experiments/runner/program_files.h"
+#include "experiments/runner/signals.h"
+#include "experiments/schedule/schedule.h"
+#include "sim/wire/match.h"
+
+namespace commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
+
+std::vector<int> processors() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  ::sched_getaffinity(0, sizeof set, &set);
+  std::vector<int> found;
+  for (int cpu = 0; cpu < CPU_SETSIZE; ++cpu) {
+    if (CPU_ISSET(static_cast<std::size_t>(cpu), &set)) found.push_back(cpu);
+  }
+  return found;
+}
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file);
+  stream << text;
+  stream.flush();
+  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+std::string shell_line(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) {
+    const bool plain = word.find_first_of(" '\"$\\*?") == std::string::npos && !word.empty();
+    line += (line.empty() ? "" : " ") + (plain ? word : "'" + word + "'");
+  }
+  return line;
+}
+
+/// The games of one design that are judged into one folder, each into a file of its own.
+class Judging {
+ public:
+  Judging(const JudgeOptions& options, const schedule::Design& design)
+      : folder_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out) {
+    if (design.conditions.size() > 1) {
+      for (const schedule::Condition& condition : design.conditions) {
+        if (condition.realism.preset != design.conditions.front().realism.preset) {
+          throw std::invalid_argument(design.name +
+                                      ": its conditions differ in realism; judge one realism at a time");
+        }
+      }
+    }
+    std::vector<std::string> shadows = {"rules=paper"};
+    shadows.insert(shadows.end(), options.shadows.begin(), options.shadows.end());
+    for (const std::string& text : shadows) {
+      add(judge::parse_shadow(text));
+    }
+    if (options.sweep) {
+      for (const judge::ShadowConfig& shadow : judge::sweeps()) add(shadow);
+    }
+    std::size_t games = schedule::game_count(design);
+    if (options.games > 0) games = std::min(games, static_cast<std::size_t>(options.games));
+    for (std::size_t n = 0; n < games; ++n) games_.push_back(schedule::game(design, n));
+    identify(options, design);
+  }
+
+  const fs::path& folder() const { return folder_; }
+  std::size_t count() const { return games_.size(); }
+  const std::vector<judge::ShadowConfig>& shadows() const { return shadows_; }
+
+  std::vector<std::size_t> open() const {
+    std::vector<std::size_t> open;
+    for (std::size_t n = 0; n < games_.size(); ++n) {
+      if (!fs::exists(result_file(n))) open.push_back(n);
+    }
+    return open;
+  }
+
+  /// Plays what is missing; the signal that ended it early.
+  std::optional<int> play(int workers) {
+    runner::Signals signals;
+    const std::vector<int> cpus = processors();
+    std::vector<std::size_t> waiting = open();
+    std::ranges::reverse(waiting);
+    std::vector<std::pair<std::size_t, std::unique_ptr<process::Child>>> slots(
+        workers > 0 ? static_cast<std::size_t>(workers) : cpus.size());
+    while (true) {
+      bool busy = false;
+      for (std::size_t n = 0; n < slots.size(); ++n) {
+        auto& [game, child] = slots[n];
+        if (child && child->has_ended()) collect(game, *std::exchange(child, nullptr));
+        if (!child && !waiting.empty() && faults_ < most_faults) {
+          game = waiting.back();
+          waiting.pop_back();
+          child = start(game, cpus[n % cpus.size()]);
+        }
+        if (child) {
+          child->drain();
+          busy = true;
+        }
+      }
+      if (!busy) return std::nullopt;
+      if (const auto signal = signals.wait(std::chrono::milliseconds{20})) {
+        for (auto& [game, child] : slots) {
+          if (child) child->stop(std::chrono::milliseconds{3000});
+        }
+        return signal;
+      }
+    }
+  }
+  int faults() const { return faults_; }
+
+  std::vector<judge::GameResult> results() const {
+    std::vector<judge::GameResult> results;
+    for (std::size_t n = 0; n < games_.size(); ++n) {
+      if (auto result = judge::read_game(result_file(n))) results.push_back(*std::move(result));
+    }
+    return results;
+  }
+
+ private:
+  static constexpr int most_faults = 3;
+
+  void add(const judge::ShadowConfig& shadow) {
+    if (std::ranges::find(shadows_, shadow.name, &judge::ShadowConfig::name) != shadows_.end()) return;
+    shadows_.push_back(shadow);
+  }
+  std::string id(std::size_t n) const { return record::game_id(games_[n].key); }
+  fs::path result_file(std::size_t n) const { return folder_ / "games" / (id(n) + ".jsonl"); }
+
+  /// One folder, one experiment: what decides its numbers is written once and compared ever after.
+  void identify(const JudgeOptions& options, const schedule::Design& design) {
+    std::vector<runner::ProgramFile> files = runner::program_files(design);
+    files.push_back(runner::program_file(own_program()));
+    const std::string protocol = "match protocol " + std::to_string(wire::match_protocol_version);
+    std::string identity = runner::experiment_hash(design, files, protocol);
+    for (const judge::ShadowConfig& shadow : shadows_) identity += "\n" + shadow.name;
+    identity = runner::hash_of(identity);
+    fs::create_directories(folder_ / "games");
+    const fs::path file = folder_ / "experiment";
+    if (!fs::exists(file)) {
+      write(file, identity + "\n");
+      runner::write_manifest(folder_ / "manifest.json",
+                             {identity, design, files, options.version, protocol, options.command_line});
+    } else if (read(file) != identity + "\n") {
+      throw record::StorageError(
+          folder_.string() + ": holds another experiment (other design, programs or shadows): " +
+          read(file).substr(0, 32) + " there, " + identity + " now; give another --out");
+    }
+  }
+
+  std::unique_ptr<process::Child> start(std::size_t n, int cpu) const {
+    const fs::path job = folder_ / "games" / (id(n) + ".job");
+    write(job, judge::to_json(judge::Job{id(n), games_[n].config, shadows_}));
+    process::Command command;
+    command.arguments = {own_program(), "judge-game", job.string(), result_file(n).string()};
+    command.output = folder_ / "games" / (id(n) + ".log");
+    command.cpu = cpu;
+    return std::make_unique<process::Child>(command);
+  }
+
+  void collect(std::size_t n, process::Child& child) {
+    const process::Exit exit = child.stop(std::chrono::milliseconds{0});
+    const fs::path base = folder_ / "games" / id(n);
+    if (!fs::exists(result_file(n))) {
+      ++faults_;
+      std::cerr << id(n) << ": " << exit.describe() << ": " << read(base.string() + ".log") << std::endl;
+      return;
+    }
+    fs::remove(base.string() + ".job");
+    fs::remove(base.string() + ".log");
+    std::cerr << fmt::format("{} judged, {} of {}", id(n), games_.size() - open().size(), games_.size())
+              << std::endl;
+  }
+
+  fs::path folder_;
+  std::vector<judge::ShadowConfig> shadows_;
+  std::vector<schedule::Game> games_;
+  int faults_ = 0;
+};
+
+void write_tables(const fs::path& folder, const std::vector<judge::GameResult>& games,
+                  const std::vector<judge::Table>& tables, const std::string& intro) {
+  write(folder / "judge.md", intro + judge::as_markdown(tables));
+  write(folder / "judge.json", judge::as_json(tables));
+  for (const judge::Table& table : tables) write(folder / (table.name + ".csv"), judge::as_csv(table));
+  write(folder / "failures.csv", judge::as_csv(judge::failures(games, judge::acting_name)));
+}
+
+/// One passage of one game again, tick by tick; `where` is GAME:FIRST-LAST as in failures.csv.
+int show(const schedule::Design& design, const std::string& where) {
+  const auto colon = where.rfind(':');
+  const auto dash = where.rfind('-');
+  judge::Passage passage;
+  const auto number = [&](std::size_t from, std::size_t to, std::int64_t& value) {
+    const char* end = where.data() + to;
+    return std::from_chars(where.data() + from, end, value).ptr == end && from < to;
+  };
+  if (colon == std::string::npos || dash == std::string::npos || dash < colon ||
+      !number(colon + 1, dash, passage.first) || !number(dash + 1, where.size(), passage.last)) {
+    throw std::invalid_argument("--show " + where +
+                                ": give GAME:FIRST-LAST, ticks, as base-0003-1:10624-10804");
+  }
+  const schedule::Game game = schedule::find_game(design, where.substr(0, colon));
+  passage.out = &std::cout;
+  runner::Signals signals;
+  host::Options settings;
+  settings.cpu = ::sched_getcpu();
+  bool over = false;
+  settings.interrupted = [&] { return over || signals.wait(std::chrono::milliseconds{0}).has_value(); };
+  settings.on_second = [&](world::Time time, const auto&) {
+    over = world::seconds(time) * world::ticks_per_second > static_cast<double>(passage.last + 120);
+  };
+  judge::play_judged(where.substr(0, colon), game.config, {}, settings, passage);
+  return done;
+}
+
+}  // namespace
+
+int judge(const JudgeOptions& options) {
+  const schedule::Design design = schedule::read_design(options.design, host::check_realism);
+  for (std::size_t i = 0; i < design.conditions.size(); ++i) {
+    host::check(schedule::game(design, 2 * i).config);
+  }
+  if (!options.show.empty()) return show(design, options.show);
+  Judging judging(options, design);
+  std::cerr << fmt::format("{}: {} games, realism {}, rule set {}, {} shadows, results in {}", design.name,
+                           judging.count(), record::text(design.realism), design.rules,
+                           judging.shadows().size(), judging.folder().string())
+            << std::endl;
+  const std::optional<int> signal = judging.play(options.workers);
+
+  const std::vector<judge::GameResult> games = judging.results();
+  const std::string command = shell_line(options.command_line);
+  std::int64_t ticks = 0;
+  for (const judge::GameResult& game : games) ticks += game.ticks;
+  const std::string intro = fmt::format(
+      "# The referee against the truth: {}\n\n{} of {} games, {:.1f} h simulated, rule set {}, realism {}.\n"
+      "Made by `{}`; how to make it again: manifest.json. Failing cases: failures.csv.\n\n",
+      design.name, games.size(), judging.count(), static_cast<double>(ticks) / world::ticks_per_second / 3600,
+      design.rules, record::text(design.conditions.front().realism), command);
+  const std::vector<judge::Table> tables = judge::tables(games);
+  write_tables(judging.folder(), games, tables, intro);
+  if (signal) {
+    std::cerr << "interrupted, nothing is lost; continue with: " << command << std::endl;
+    return signal_base + *signal;
+  }
+  std::cout << intro << judge::as_markdown(tables);
+  return games.size() == judging.count() ? done : faults;
+}
+
+int judge_game(const JudgeGameOptions& options) {
+  const judge::Job job = judge::job_from_json(read(options.job));
+  runner::Signals signals;
+  host::Options settings;
+  bool interrupted = false;
+  settings.interrupted = [&] {
+    interrupted = interrupted || signals.wait(std::chrono::milliseconds{0}).has_value();
+    return interrupted;
+  };
+  const judge::GameResult result = judge::play_judged(job.game, job.config, job.shadows, settings);
+  if (interrupted) return faults;
+  if (!result.fault.empty()) throw std::runtime_error(result.fault);
+  judge::write_game(options.result, result);
+  return done;
+}
+
+}  // namespace commands

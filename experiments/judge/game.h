@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "experiments/host/play.h"
+#include "experiments/judge/pairing.h"
+#include "experiments/judge/witness.h"
+#include "experiments/record/match_config.h"
+
+namespace judge {
+
+/// A referee that is compared: which rules, and which eyes.
+struct ShadowConfig {
+  std::string name;
+  std::string rules;                        ///< name of a rule set; empty: the game's
+  std::map<std::string, double> realism{};  ///< numbers of its cameras that differ, as "vision.ball_sigma"
+  std::optional<world::TouchAlgorithms> touch{};  ///< instead of the rule set's
+  std::optional<int> exit_frames{};               ///< instead of the rule set's
+};
+
+/// The first is always the acting referee's own detectors, on its own frames.
+inline constexpr const char* acting_name = "ours";
+
+/// Reads "rules=paper", "touch=accel+line,exit_frames=5", "vision.ball_sigma=0.002": parts of a shadow, its
+/// text the name.
+/// @throws std::invalid_argument naming the part and what would be right
+ShadowConfig parse_shadow(const std::string& text);
+
+/// The sweeps of the study: noise 0 to 5 mm, missed detections 0 to 10 %, latency, camera offset.
+std::vector<ShadowConfig> sweeps();
+
+/// What one game gave.
+struct GameResult {
+  std::string game;    ///< its name in the schedule
+  std::string preset;  ///< realism
+  std::uint64_t seed = 0;
+  std::int64_t ticks = 0;
+  std::string hash;                    ///< of the game
+  std::string fault;                   ///< why it did not end; empty: it did
+  std::vector<std::string> shadows;    ///< names
+  std::vector<std::string> witnesses;  ///< names, as in Call::witnesses of the first shadow
+  std::vector<Case> cases;
+  std::array<int, event_count> happened{};     ///< true events beyond their band
+  std::array<int, event_count> close{};        ///< within it, on both sides of the limit
+  std::array<int, event_count> near_misses{};  ///< lawful, within two bands
+  std::vector<TouchCount> touches;
+};
+
+/// A passage to be told tick by tick.
+struct Passage {
+  std::int64_t first = 0, last = -1;  ///< ticks
+  std::ostream* out = nullptr;
+};
+
+/// Plays the game, judged by its rule set, with all shadows looking on.
+///
+/// A configuration with a recording to continue replays that, without teams.
+/// @throws std::invalid_argument for an unknown rule set or key
+GameResult play_judged(const std::string& game, const record::MatchConfig& config,
+                       const std::vector<ShadowConfig>& shadows, const host::Options& options = {},
+                       const Passage& passage = {});
+
+}  // namespace judge

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "experiments/judge/laws/moment.h"
+
+namespace judge {
+
+/// A robot dribbled too far (Law 12, decision 5): straight from where contact began, until ball and robot
+/// are visibly apart (20 mm, ours: the law says no number), or the ball is higher than a dribbler.
+///
+/// Margin  the distance beyond the limit; a dribble that was too far only if 60 mm are not yet apart is close
+///         (-0.5). A dribble goes on for half a second after the referee has stopped
+///         play, or its margin would only say how quick the referee was.
+class Dribbles {
+ public:
+  void watch(const Moment& moment, std::vector<TrueEvent>& out);
+
+ private:
+  struct Dribble {
+    world::Vector2d start;  // [m]
+    double farthest = 0;    // [m]
+    std::optional<world::Time> passed{};
+    world::Vector2d place = world::Vector2d::Zero();
+  };
+  void watch(const Moment& moment, const truth::Robot& robot, double apart, std::optional<Dribble>& dribble);
+  void finish(const Moment& moment, world::RobotId robot, std::vector<TrueEvent>& out);
+
+  struct OfRobot {
+    std::optional<Dribble> strict, lenient;  // as to what is apart
+    bool strictly_too_far = false;           // during the lenient one
+  };
+  std::array<OfRobot, robot_slots> robots_;
+  std::optional<world::Time> stopped_;
+};
+
+}  // namespace judge

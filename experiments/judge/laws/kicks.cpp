@@ -1,0 +1,135 @@
+#include "experiments/judge/laws/kicks.h"
+
+namespace judge {
+
+using world::Vector2d;
+
+namespace {
+
+constexpr world::Duration patience = std::chrono::milliseconds{300};  // after SETUP was left
+
+}  // namespace
+
+void Kicks::watch(const Moment& moment, std::vector<TrueEvent>& out) {
+  const bool setup = moment.in(world::Location::Setup);
+  if (setup && (moment.entered || moment.by_hand)) {
+    restart_ = Restart{moment.ball(), moment.state.kick_team, moment.state.is_kickoff};
+    second_.reset();
+    left_.reset();
+  }
+  if (!setup && restart_ && !left_) left_ = moment.now.time;
+  if (moment.by_hand && !setup) restart_.reset();
+  if (restart_) take(moment, out);
+  if (moment.in(world::Location::GameOff)) {
+    if (second_ && second_->pushed) report(out, *second_->pushed);
+    second_.reset();
+  }
+  if (second_) watch_second(moment, out);
+}
+
+void Kicks::take(const Moment& moment, std::vector<TrueEvent>& out) {
+  Restart& restart = *restart_;
+  const double travel = (moment.ball() - restart.place).norm();
+  for (const TrueTouches::Contact& contact : moment.touches.fresh()) {
+    if (!restart.first_touch) restart.first_touch = contact.touch;
+    if (!restart.taken) restart.robots = moment.before.robots;
+  }
+  if (!restart.taken && travel > moment.rules.kick_travel) {
+    const double before = (moment.before.ball.position.head<2>() - restart.place).norm();
+    const double share = before < travel ? (moment.rules.kick_travel - before) / (travel - before) : 1;
+    restart.taken.emplace();
+    restart.taken->event = Event::KickTaken;
+    restart.taken->time =
+        moment.before.time + world::from_seconds(std::clamp(share, 0.0, 1.0) * world::tick_length);
+    restart.taken->place = restart.place;
+    if (restart.first_touch) {
+      restart.taken->by = moment.touches[*restart.first_touch].robot;
+      // A kicker that nudged the ball and then kicked it is at the touch that put it in play.
+      const auto* last = moment.touches.last_at(moment.now.time);
+      if (moment.touches[last->touch].robot == *restart.taken->by) {
+        second_ = Second{*restart.taken->by, last->touch, restart.place};
+      }
+    }
+    look_around(moment, out);
+  }
+  restart.farthest = std::max(restart.farthest, travel);
+  const bool over = restart.taken ? moment.now.time >= restart.taken->time + patience
+                                  : left_ && moment.now.time >= *left_ + patience;
+  if (!over) return;
+  if (restart.taken) {
+    restart.taken->value = restart.farthest;
+    restart.taken->margin = (restart.farthest - moment.rules.kick_travel) / moment.bands.length;
+    out.push_back(*restart.taken);
+  }
+  restart_.reset();
+}
+
+void Kicks::look_around(const Moment& moment, std::vector<TrueEvent>& out) const {
+  const world::Field& field = moment.rules.field;
+  const Restart& restart = *restart_;
+  const world::Side attacked = world::other(world::defended_side(moment.state, restart.team));
+  std::optional<TrueEvent> opponent, attacker, wrong_half;
+  const auto keep = [&](std::optional<TrueEvent>& worst, Event event, const truth::Robot& robot,
+                        double value) {
+    if (worst && worst->value >= value) return;
+    worst = TrueEvent{.event = event,
+                      .time = restart.taken->time,
+                      .margin = value / moment.bands.length,
+                      .value = value,
+                      .by = robot.id,
+                      .place = robot.position};
+  };
+  for (const truth::Robot& robot : restart.robots.empty() ? moment.before.robots : restart.robots) {
+    if (robot.id.team != restart.team) {
+      const double distance = (robot.position - restart.place).norm() - field.robot_radius;
+      keep(opponent, Event::OpponentNearBall, robot, moment.rules.opponent_distance - distance);
+    } else if (robot.id != restart.taken->by) {
+      const double distance =
+          world::distance_to_defense_area(field, attacked, robot.position) - field.robot_radius;
+      keep(attacker, Event::AttackerNearArea, robot, moment.rules.attacker_area_distance - distance);
+    }
+    if (restart.kickoff) {
+      const double own = world::sign(world::defended_side(moment.state, robot.id.team));
+      keep(wrong_half, Event::WrongHalf, robot, -robot.position.x() * own);
+    }
+  }
+  for (const auto& worst : {opponent, attacker, wrong_half}) {
+    if (worst) report(out, *worst);
+  }
+}
+
+void Kicks::watch_second(const Moment& moment, std::vector<TrueEvent>& out) {
+  Second& second = *second_;
+  const truth::Robot* kicker = find_robot(moment.now, second.kicker);
+  for (const TrueTouches::Contact& contact : moment.touches.fresh()) {
+    const TrueTouch& touch = moment.touches[contact.touch];
+    const bool same = contact.touch == second.first_touch;
+    if (touch.robot != second.kicker || !same) {
+      if (second.pushed) report(out, *second.pushed);
+      if (touch.robot == second.kicker) {
+        report(out, {.event = Event::DoubleTouch,
+                     .time = touch.begin,
+                     .margin = second.apart / moment.bands.length,
+                     .value = second.apart,
+                     .by = second.kicker,
+                     .place = touch.place,
+                     .ambiguous = touch.squeezed});
+      }
+      second_.reset();
+      return;
+    }
+    const double pushed = (touch.place - second.place).norm() - moment.rules.kick_travel;
+    if (pushed <= 0) continue;
+    if (!second.pushed) {
+      second.pushed = TrueEvent{.event = Event::DoubleTouch, .time = contact.time, .by = second.kicker};
+    }
+    second.pushed->place = touch.place;
+    second.pushed->value = std::max(second.pushed->value, pushed);
+    second.pushed->margin = second.pushed->value / moment.bands.length;
+  }
+  if (kicker != nullptr) {
+    second.apart = std::max(second.apart, gap(moment.rules.field, *kicker, moment.now.ball));
+  }
+}
+
+}  // namespace judge

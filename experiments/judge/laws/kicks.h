@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "experiments/judge/laws/moment.h"
+
+namespace judge {
+
+/// A restart's kick: that it was taken, who was where it may not be at that moment, and the kicker's second
+/// touch (Laws 8, 9, 13, 15 to 17).
+///
+/// Taken   the ball is 50 mm from where it lay when the kick was signalled.
+/// Second  the kicker touches again once the ball is in play and has been away from it, or still pushes it
+///         there; before any other robot does.
+/// Margins how far the ball went; how much too near opponents and attackers stood, or over the halfway line;
+///         of a second touch how far apart they had been, or how far the ball was pushed in play.
+class Kicks {
+ public:
+  void watch(const Moment& moment, std::vector<TrueEvent>& out);
+
+ private:
+  struct Restart {
+    world::Vector2d place;  // [m] ball when it was signalled
+    world::Team team{};
+    bool kickoff = false;
+    std::optional<std::size_t> first_touch{};
+    std::vector<truth::Robot> robots{};  // when the ball was touched last: the offenders may be sent off
+                                         // before the ball has gone 50 mm
+    std::optional<TrueEvent> taken{};
+    double farthest = 0;  // [m]
+    bool reported = false;
+  };
+  struct Second {
+    world::RobotId kicker;
+    std::size_t first_touch = 0;
+    world::Vector2d place;  // [m]
+    double apart = 0;       // [m] greatest gap since
+    std::optional<TrueEvent> pushed{};
+  };
+
+  void take(const Moment& moment, std::vector<TrueEvent>& out);
+  void look_around(const Moment& moment, std::vector<TrueEvent>& out) const;
+  void watch_second(const Moment& moment, std::vector<TrueEvent>& out);
+
+  std::optional<Restart> restart_;
+  std::optional<Second> second_;
+  std::optional<world::Time> left_;  // SETUP
+};
+
+}  // namespace judge

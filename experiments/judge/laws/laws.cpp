@@ -1,0 +1,80 @@
+#include "experiments/judge/laws/laws.h"
+
+namespace judge {
+
+using world::Location;
+
+namespace {
+
+constexpr world::Duration watched_on = std::chrono::milliseconds{300};  // the window of matching
+
+/// Whether the ball got there by itself: no farther than its greater speed takes it, and as much again as
+/// robots push and physics part bodies.
+bool put_there(const truth::Frame& before, const truth::Frame& now) {
+  constexpr double pushed = 0.05;  // [m]
+  double speed = std::max(before.ball.velocity.norm(), now.ball.velocity.norm());
+  for (const truth::Kick& kick : now.kicks) speed = std::max(speed, kick.velocity.norm());
+  const double way = (now.ball.position - before.ball.position).norm();
+  return way > speed * world::seconds(now.time - before.time) + pushed;
+}
+
+}  // namespace
+
+void Laws::watch(const truth::Frame& frame, const world::GameState& state, bool ball_seen) {
+  if (!before_) before_ = frame;
+  const bool entered = state.location != location_ || state.location_time != location_time_;
+  location_ = state.location;
+  location_time_ = state.location_time;
+  by_hand_ = put_there(*before_, frame);
+  touches_.add(frame, state.location == Location::GameOn);
+
+  if (state.location == Location::GameOn) {
+    play_ = state;
+  } else if (play_ && (by_hand_ || frame.time > state.location_time + watched_on ||
+                       state.location == Location::Setup)) {
+    play_.reset();
+  }
+  const Moment moment{.now = frame,
+                      .before = *before_,
+                      .state = state,
+                      .entered = entered,
+                      .by_hand = by_hand_,
+                      .ball_seen = ball_seen,
+                      .touches = touches_,
+                      .rules = rules_,
+                      .bands = bands_};
+  kicks_.watch(moment, events_);
+  stops_.watch(moment, events_);
+  settling_.watch(moment, events_);
+
+  const bool after_whistle = play_ && state.location != Location::GameOn;
+  const Moment play{.now = frame,
+                    .before = *before_,
+                    .state = play_ ? *play_ : state,
+                    .entered = entered && !after_whistle,
+                    .by_hand = by_hand_,
+                    .ball_seen = ball_seen,
+                    .touches = touches_,
+                    .rules = rules_,
+                    .bands = bands_};
+  const std::size_t first = events_.size();
+  exits_.watch(play, events_);
+  ball_speed_.watch(play, events_);
+  dribbles_.watch(play, events_);
+  areas_.watch(play, events_);
+  keeper_holds_.watch(play, events_);
+  contacts_.watch(play, events_);
+  robots_.watch(play, events_);
+  progress_.watch(play, keeper_holds_.holder().has_value(), events_);
+  for (std::size_t n = first; n < events_.size(); ++n) {
+    const bool stopped = state.location != Location::GameOn;
+    TrueEvent& event = events_[n];
+    const bool leaves = event.event == Event::Exit || event.event == Event::Goal ||
+                        event.event == Event::ChippedGoal || event.event == Event::AimlessKick;
+    event.late = stopped && event.time > state.location_time;
+    if (!leaves && exits_.out_since()) event.late = event.late || event.time > *exits_.out_since();
+  }
+  before_ = frame;
+}
+
+}  // namespace judge

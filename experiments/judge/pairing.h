@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/judge/shadow.h"
+#include "experiments/judge/true_event.h"
+
+namespace judge {
+
+/// What became of one true event or one call.
+enum class Result : std::uint8_t { Found, Missed, Extra };
+std::string_view name(Result result);
+
+/// A true event and the call of it, or one of them alone.
+struct Case {
+  std::string shadow;
+  Event event{};
+  Result result{};
+  std::optional<TrueEvent> truth{};
+  std::optional<Call> call{};
+  bool chip = false;     ///< an extra call while the ball was in the air
+  std::string remark{};  ///< of an extra call: what else was true
+
+  /// So near to the limit that nobody can be blamed.
+  bool close() const { return truth && truth->close(); }
+  bool ambiguous() const { return truth && truth->ambiguous; }
+  bool team_is_right() const {
+    return truth && truth->last && call && call->last && call->last->robot.team == truth->last->robot.team;
+  }
+  world::Time time() const { return truth ? truth->time : call->time; }
+};
+
+/// Greatest distance in time between an event and the call of it [s]: the paper's 0.3 s. A lack of progress
+/// is told in whole seconds, so it may be called a second off.
+double match_window(Event event);
+
+/// One to one, nearest in time first: clear events before those close to their limit, these before near
+/// misses. Calls that are left are extra, events that are left were missed, but neither of them after the
+/// acting referee's whistle; near misses that are left are no cases.
+std::vector<Case> pair(const std::string& shadow, std::vector<TrueEvent> truth,
+                       const std::vector<Call>& calls, const world::RuleSet& rules);
+
+}  // namespace judge

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiments/judge/game.h"
+
+namespace judge {
+
+/// One table of the study, as text.
+struct Table {
+  std::string name;  ///< of its file: "a_exits"
+  std::string title;
+  std::string note;  ///< what the columns mean
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// Fewer than this are too few to say anything: what the study asks for.
+struct Wanted {
+  int exits = 3000;
+  int goals = 300;
+  int events = 200;  ///< of every other row
+  int near_misses = 200;
+};
+Wanted wanted_of(std::string_view preset);
+
+/// Tables a to h. All games are of one realism.
+std::vector<Table> tables(std::span<const GameResult> games);
+
+/// A case that failed, for the list: what truth and call say, and where in which game.
+struct Failure {
+  std::string game, shadow, event, what;
+  std::int64_t first_tick = 0, last_tick = 0;  ///< two seconds before to one after
+};
+/// Of `shadow`, outside the bands, in order of event and game.
+std::vector<Failure> failures(std::span<const GameResult> games, const std::string& shadow);
+
+std::string as_markdown(std::span<const Table> tables);
+std::string as_csv(const Table& table);
+std::string as_json(std::span<const Table> tables);
+std::string as_csv(std::span<const Failure> failures);
+
+}  // namespace judge

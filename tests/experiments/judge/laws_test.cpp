@@ -1,0 +1,498 @@
+// The truth's own laws on truth written by hand: exact places, times and margins.
+#include "experiments/judge/laws/laws.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/experiments/judge/story.h"
+
+namespace judge {
+namespace {
+
+using world::Location;
+
+// Positions are sums of 1/60 s steps: far below this [m, s, bands].
+constexpr double exact = 1e-6;
+
+/// A ball that yellow 1 kicked rolls over a touch line at 2 m/s.
+TrueEvent rolls_out(Story& story) {
+  story.ball.position = {1, 2.5, Story::radius};
+  story.ball.velocity = {0, 2, 0};
+  story.touch(yellow(1));
+  story.tick(60);
+  const auto exits = story.told(Event::Exit);
+  EXPECT_EQ(exits.size(), 1u);
+  return exits.at(0);
+}
+
+TEST(Exits, AreDatedWhereTheWholeBallIsOutside) {
+  Story story;
+  const double begin = story.now();
+  const TrueEvent exit = rolls_out(story);
+  EXPECT_NEAR(world::seconds(exit.time), begin + (3 + Story::radius - 2.5) / 2, exact);
+  EXPECT_NEAR(exit.place.y(), 3 + Story::radius, exact);
+  EXPECT_EQ(exit.last->robot, yellow(1));
+  EXPECT_EQ(exit.by, yellow(1));
+  EXPECT_FALSE(exit.ambiguous);
+  // Half a second later it is 1 m outside, within a tick's way of 33 mm.
+  EXPECT_NEAR(exit.margin, 1.0 / 0.04, 0.034 / 0.04);
+}
+
+TEST(Exits, AreTheSameAtTheOtherEnd) {
+  Story here;
+  Story there(true);
+  const TrueEvent one = rolls_out(here);
+  const TrueEvent other = rolls_out(there);
+  EXPECT_EQ(one.time, other.time);
+  EXPECT_NEAR(one.margin, other.margin, exact);
+  EXPECT_NEAR((one.place + other.place).norm(), 0, exact);
+}
+
+TEST(Exits, NeedTheWholeBall) {
+  Story story;
+  story.ball.position = {1, 3 + Story::radius - 0.001, Story::radius};
+  story.touch(yellow(1));
+  story.tick(30);
+  story.ball.velocity = {0, -1, 0};
+  story.tick(30);
+  const auto exits = story.told(Event::Exit);
+  ASSERT_EQ(exits.size(), 1u);
+  EXPECT_FALSE(exits[0].happened());
+  EXPECT_NEAR(exits[0].margin, -0.001 / 0.04, exact);
+}
+
+TEST(Exits, AreAmbiguousWhenBothTeamsTouchedWithinATick) {
+  for (const int ticks_between : {0, 1, 3}) {
+    Story story;
+    story.ball.position = {1, 2.5, Story::radius};
+    story.ball.velocity = {0, 2, 0};
+    story.touch(blue(2), 0.01, 4);
+    story.tick(ticks_between > 0 ? ticks_between : 1);
+    story.touch(yellow(1), 0.01, 4);
+    if (ticks_between == 0) story.touch(blue(2), 0.002, 4);
+    story.tick(60);
+    const auto exits = story.told(Event::Exit);
+    ASSERT_EQ(exits.size(), 1u);
+    EXPECT_EQ(exits[0].last->robot, yellow(1)) << "the harder touch of one moment counts";
+    EXPECT_EQ(exits[0].ambiguous, ticks_between <= 1) << ticks_between;
+  }
+}
+
+TEST(Exits, EndPlayUntilItIsRestartedUnlessTheyWereClose) {
+  for (const double depth : {0.02, 0.1}) {  // half a band, two and a half
+    Story story;
+    story.ball.position = {1, 3 + Story::radius + depth, Story::radius};
+    story.touch(yellow(1));
+    story.tick(2);
+    for (int n = 0; n < 2; ++n) {
+      story.ball.position.y() = 2.9;
+      story.tick(3);
+      story.ball.position.y() = 3 + Story::radius + depth;
+      story.tick(3);
+    }
+    story.ball.position.y() = 2.9;
+    story.tick(3);
+    EXPECT_EQ(story.told(Event::Exit).size(), depth < 0.04 ? 3u : 1u) << depth;
+  }
+}
+
+TEST(Exits, GoOnForAMomentAfterTheWhistleAndAreLate) {
+  Story story;
+  story.ball.position = {1, 2.98, Story::radius};
+  story.ball.velocity = {0, 1, 0};
+  story.touch(yellow(1));
+  story.tick(1);
+  story.enter(Location::GameOff);  // 25 ms too early
+  story.tick(60);
+  const auto exits = story.told(Event::Exit);
+  ASSERT_EQ(exits.size(), 1u);
+  EXPECT_TRUE(exits[0].late);
+}
+
+/// Shoots at blue's goal from 1 m, from height `z` on.
+std::vector<TrueEvent> shot(double y, double z, Event event, bool mirrored = false) {
+  Story story(mirrored);
+  story.ball.position = {3.5, y, z};
+  story.ball.velocity = {4, 0, 0};
+  story.touch(yellow(3));
+  story.tick(19);  // 1.27 m: 0.25 m behind the line
+  story.ball.velocity.setZero();
+  story.tick(40);
+  return story.told(event);
+}
+
+TEST(Goals, AreBetweenThePostsAndUnderTheBar) {
+  for (const bool mirrored : {false, true}) {
+    EXPECT_EQ(shot(0.4, Story::radius, Event::Goal, mirrored).size(), 1u);
+    EXPECT_TRUE(shot(0.6, Story::radius, Event::Goal, mirrored).empty());
+    EXPECT_EQ(shot(0.6, Story::radius, Event::Exit, mirrored).size(), 1u);
+    const auto over = shot(0.4, 0.3, Event::Exit, mirrored);
+    ASSERT_EQ(over.size(), 1u);
+    EXPECT_TRUE(over[0].over_goal);
+    EXPECT_TRUE(over[0].last->chip);
+  }
+}
+
+TEST(Goals, DoNotCountWhenTheBallWasTooHigh) {
+  // Top at 141.5 mm and at 151.5 mm: the law says 150 mm; under the bar both.
+  EXPECT_EQ(shot(0, 0.12, Event::Goal).size(), 1u);
+  const auto chipped = shot(0, 0.13, Event::ChippedGoal);
+  ASSERT_EQ(chipped.size(), 1u);
+  EXPECT_EQ(chipped[0].by, yellow(3));
+  EXPECT_NEAR(chipped[0].margin, 0.0015 / 0.04, exact);
+}
+
+TEST(Goals, CountAfterATeamMateTouchedTheBallLowOrItRolled) {
+  for (const bool team_mate : {true, false}) {
+    Story story;
+    story.ball.position = {2, 0, 0.3};
+    story.touch(yellow(3));
+    story.tick(2);
+    story.ball.position.z() = team_mate ? 0.05 : Story::radius;
+    if (team_mate) story.touch(yellow(4));
+    story.tick(team_mate ? 1 : 3);
+    story.ball.velocity = {4, 0, 0};
+    story.tick(39);
+    story.ball.velocity.setZero();
+    story.tick(40);
+    EXPECT_EQ(story.told(Event::Goal).size(), 1u) << team_mate;
+    EXPECT_TRUE(story.told(Event::ChippedGoal).empty()) << team_mate;
+  }
+}
+
+TEST(Icing, IsAKickFromTheOwnHalfOverTheOpponentsGoalLine) {
+  // Yellow defends -x; the limit is 0.2 m behind the halfway line.
+  for (const double x : {-0.3, -0.21, -0.19, 0.5}) {
+    Story story;
+    story.ball.position = {x, 1.5, Story::radius};
+    story.touch(yellow(1));
+    story.ball.velocity = {6, 0, 0};
+    const int ticks = static_cast<int>((4.6 - x) / 0.1) + 1;
+    story.tick(ticks + 30);
+    const auto icing = story.told(Event::AimlessKick);
+    if (x > 0) {
+      EXPECT_TRUE(icing.empty());
+      continue;
+    }
+    ASSERT_EQ(icing.size(), 1u) << x;
+    EXPECT_NEAR(icing[0].value, -x - 0.2, exact);
+    EXPECT_EQ(icing[0].happened(), x < -0.2);
+  }
+}
+
+TEST(BallSpeed, IsTheGreatestBetweenTwoTouches) {
+  for (const double speed : {8.4, 7.9, 7.0}) {
+    Story story;
+    story.ball.position = {-3, 0, Story::radius};
+    story.ball.velocity = {speed, 0, 0};
+    story.touch(blue(4));
+    story.tick(20);
+    story.touch(yellow(1));
+    story.tick(2);
+    const auto fast = story.told(Event::BallTooFast);
+    if (speed < 7.6) {  // two bands of 0.2 m/s
+      EXPECT_TRUE(fast.empty());
+      continue;
+    }
+    ASSERT_EQ(fast.size(), 1u) << speed;
+    EXPECT_NEAR(fast[0].margin, (speed - 8) / 0.2, exact);
+    EXPECT_EQ(fast[0].by, blue(4));
+  }
+}
+
+/// Yellow 2 pushes the ball in front of it at 1 m/s.
+std::vector<TrueEvent> dribble(int ticks, int lets_go_at) {
+  Story story;
+  story.ball.position = {0, 0, Story::radius};
+  story.robot(yellow(2), {-0.0945, 0});
+  story.touch(yellow(2));
+  story.tick();
+  story.ball.velocity = {1, 0, 0};
+  story.robot(yellow(2)).velocity = {1, 0};
+  for (int n = 0; n < ticks; ++n) {
+    if (n == lets_go_at) story.ball.position.x() += 0.03;
+    if (n == lets_go_at + 1) story.ball.position.x() -= 0.03;
+    story.touch(yellow(2));
+    story.tick();
+  }
+  story.ball.position.x() += 0.04;
+  story.tick(2);
+  return story.told(Event::DribbledTooFar);
+}
+
+TEST(Dribbles, AreMeasuredFromTheFirstContactUntilTheBallIsLetGo) {
+  const auto far = dribble(63, -5);  // 1.05 m
+  ASSERT_EQ(far.size(), 1u);
+  EXPECT_NEAR(far[0].margin, 0.05 / 0.04, exact);
+  EXPECT_EQ(far[0].by, yellow(2));
+  EXPECT_TRUE(dribble(63, 30).empty());
+  const auto nearly = dribble(57, -5);  // 0.95 m
+  ASSERT_EQ(nearly.size(), 1u);
+  EXPECT_NEAR(nearly[0].margin, -0.05 / 0.04, exact);
+}
+
+TEST(Dribbles, AreCloseWhenOnlyTheSeparationIsInDoubt) {
+  Story story;
+  story.ball.position = {0, 0, Story::radius};
+  story.robot(yellow(2), {-0.0945, 0});
+  story.touch(yellow(2));
+  story.tick();
+  story.ball.velocity = {1, 0, 0};
+  story.robot(yellow(2)).velocity = {1, 0};
+  for (int n = 0; n < 66; ++n) {
+    if (n == 30) story.ball.position.x() += 0.04;
+    if (n == 32) story.ball.position.x() -= 0.04;
+    story.touch(yellow(2));
+    story.tick();
+  }
+  story.ball.position.x() += 0.1;
+  story.tick(2);
+  const auto told = story.told(Event::DribbledTooFar);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].margin, -0.5);
+  // A ball that lies on top of a robot is not dribbled.
+  Story rides;
+  rides.ball.position = {0, 0, 0.17};
+  rides.robot(yellow(2), {0, 0});
+  rides.ball.velocity = {1, 0, 0};
+  rides.robot(yellow(2)).velocity = {1, 0};
+  for (int n = 0; n < 90; ++n) {
+    rides.touch(yellow(2));
+    rides.tick();
+  }
+  rides.enter(Location::GameOff);
+  rides.tick(60);
+  EXPECT_TRUE(rides.told(Event::DribbledTooFar).empty());
+}
+
+/// Yellow 1 kicks a free kick 0.3 m and touches it again, if nobody else does before.
+Story second_touch(bool other_first) {
+  Story story;
+  story.enter(Location::Setup);
+  story.state.kick_team = world::Team::Yellow;
+  story.robot(yellow(1), {-0.0945, 0});
+  story.tick(3);
+  story.touch(yellow(1));
+  story.ball.velocity = {1, 0, 0};
+  story.tick(3);
+  story.enter(Location::GameOn);
+  story.tick(15);
+  story.ball.velocity.setZero();
+  if (other_first) story.touch(yellow(2));
+  story.tick();
+  story.robot(yellow(1)).position.x() += 0.3;
+  story.touch(yellow(1));
+  story.tick(20);
+  return story;
+}
+
+TEST(DoubleTouch, IsTheKickersUnlessAnotherRobotTouchedBefore) {
+  const Story story = second_touch(false);
+  const auto twice = story.told(Event::DoubleTouch);
+  ASSERT_EQ(twice.size(), 1u);
+  EXPECT_EQ(twice[0].by, yellow(1));
+  EXPECT_NEAR(twice[0].value, 0.3, exact);  // 18 ticks at 1 m/s
+  EXPECT_TRUE(second_touch(true).told(Event::DoubleTouch).empty());
+}
+
+TEST(KickTaken, IsDatedAtFiftyMillimetres) {
+  const Story story = second_touch(false);
+  const auto kicks = story.told(Event::KickTaken);
+  ASSERT_EQ(kicks.size(), 1u);
+  // The ball starts with the fourth tick after the first moment: 1 + 3 ticks, then 50 mm at 1 m/s.
+  EXPECT_NEAR(world::seconds(kicks[0].time), 4.0 / 60 + 0.05, exact);
+  EXPECT_EQ(kicks[0].by, yellow(1));
+}
+
+TEST(KickTaken, NamesWhoWasTooNear) {
+  Story story;
+  story.enter(Location::Setup);
+  story.state.kick_team = world::Team::Yellow;
+  story.robot(yellow(1), {-0.0945, 0});
+  story.robot(yellow(2), {3.2, 0});  // 0.21 m of hull from the area, 1 m deep in the middle
+  story.robot(blue(3), {0, 0.55});   // hull at 0.46 m
+  story.robot(blue(4), {0, -0.62});  // at 0.53 m
+  story.tick(3);
+  story.touch(yellow(1));
+  story.tick(1);
+  story.robots.erase(story.robots.begin() + 2);  // blue 3 is sent off before the ball has gone 50 mm
+  story.ball.velocity = {3, 0, 0};
+  story.tick(2);
+  story.enter(Location::GameOn);
+  story.tick(25);
+  const auto near = story.told(Event::OpponentNearBall);
+  ASSERT_EQ(near.size(), 1u);
+  EXPECT_EQ(near[0].by, blue(3));
+  EXPECT_NEAR(near[0].margin, 0.04 / 0.04, exact);
+  const auto attacker = story.told(Event::AttackerNearArea);
+  ASSERT_EQ(attacker.size(), 1u);
+  EXPECT_NEAR(attacker[0].margin, -0.01 / 0.04, exact);
+}
+
+TEST(Areas, AreForTheGoalieAlone) {
+  // Blue's area is 1 m deep in the middle: from x = 3.5 on.
+  for (const int number : {0, 3}) {
+    Story story;
+    story.state.keeper = {0, 0};
+    story.robot(blue(number), {3.46, 0});  // the hull 50 mm inside
+    story.ball.position = {3.35, 0, Story::radius};
+    story.touch(blue(number));
+    story.tick(20);
+    const auto defenders = story.told(Event::DefenderInArea);
+    ASSERT_EQ(defenders.size(), number == 0 ? 0u : 1u);
+    if (number != 0) {
+      EXPECT_NEAR(defenders[0].value, 0.05, exact);
+    }
+    EXPECT_TRUE(story.told(Event::AttackerInArea).empty());
+  }
+  Story story;
+  story.robot(yellow(0), {3.46, 0});
+  story.ball.position = {3.35, 0, Story::radius};
+  story.touch(yellow(0));
+  story.tick(20);
+  EXPECT_EQ(story.told(Event::AttackerInArea).size(), 1u) << "there a goalie is a robot like any other";
+}
+
+TEST(Contacts, AreCollisionsWhenTheyCloseInTooFast) {
+  for (const double speed : {2.0, 1.4, 0.5}) {
+    Story story;
+    story.robot(yellow(1), {-1, 0}, {speed, 0});
+    story.robot(blue(1), {0, 0});
+    const int ticks = static_cast<int>(0.82 / speed * 60) + 1;  // the hulls meet in the last
+    story.tick(ticks);
+    story.robot(yellow(1)).velocity.setZero();
+    story.tick(5);
+    story.robot(yellow(1)).velocity = {-1, 0};
+    story.tick(20);
+    const auto hits = story.told(Event::Collision);
+    if (speed < 1.1) {
+      EXPECT_TRUE(hits.empty());
+      continue;
+    }
+    ASSERT_EQ(hits.size(), 1u) << speed;
+    EXPECT_NEAR(hits[0].margin, (speed - 1.5) / 0.2, exact);
+    EXPECT_EQ(hits[0].by, yellow(1));
+  }
+}
+
+TEST(Stops, KnowASpeedOnlyWhenItLasts) {
+  for (const int ticks : {30, 12}) {  // half a second and a fifth; the limit is 0.3 s
+    Story story;
+    story.enter(Location::GameOff);
+    story.state.command = {world::CommandKind::Stop, world::Team::Yellow};
+    story.robot(blue(2), {-3, 2});
+    story.tick(150);  // the grace of 2 s is over
+    story.robot(blue(2)).velocity = {1.9, 0};
+    story.tick(ticks);
+    story.robot(blue(2)).velocity.setZero();
+    story.tick(30);
+    story.enter(Location::GameOn);
+    story.tick(2);
+    const auto fast = story.told(Event::TooFastInStop);
+    ASSERT_EQ(fast.size(), ticks == 30 ? 1u : 0u);
+    if (ticks == 30) {
+      EXPECT_NEAR(fast[0].margin, 0.4 / 0.2, exact);
+    }
+  }
+}
+
+TEST(Stops, KnowWhoStaysNearAndInTheWay) {
+  Story story;
+  story.enter(Location::GameOff);
+  story.state.command = {world::CommandKind::Stop, world::Team::Yellow};
+  story.state.reset_position = world::Vector2d{2, 0};
+  story.robot(blue(2), {0, 0.53});    // hull 0.44 m from the ball, on the way's beginning
+  story.robot(yellow(1), {1, 0.57});  // hull 0.48 m from the way, 0.97 m from the ball
+  story.robot(yellow(2), {1, -0.8});
+  story.tick(200);
+  story.enter(Location::GameOn);
+  story.tick(2);
+  const auto near = story.told(Event::TooNearInStop);
+  ASSERT_EQ(near.size(), 1u);
+  EXPECT_EQ(near[0].by, blue(2));
+  EXPECT_NEAR(near[0].margin, 0.06 / 0.04, exact);
+  const auto way = story.told(Event::InterferedPlacement);
+  ASSERT_EQ(way.size(), 2u);
+  EXPECT_EQ(way[0].by, yellow(1));
+  EXPECT_NEAR(way[0].margin, 0.02 / 0.04, exact);
+  EXPECT_EQ(way[1].by, blue(2));
+}
+
+TEST(RobotsOff, StayedOutsideForAllOfTheTime) {
+  for (const int ticks : {130, 110}) {  // the limit is 2 s
+    Story story;
+    story.robot(blue(2), {0, 3.35});
+    story.tick(ticks);
+    story.robot(blue(2)).position.y() = 3.0;
+    story.tick(2);
+    EXPECT_EQ(story.told(Event::RobotLeftField).size(), ticks == 130 ? 1u : 0u);
+  }
+}
+
+TEST(RobotsOff, CountsThoseThatMayPlay) {
+  Story story;
+  story.state.red_cards.blue = 1;
+  story.enter(Location::GameOn);
+  for (int n = 0; n < 6; ++n) story.robot(blue(n), {0.3 * n, 1});
+  story.tick(200);
+  const auto many = story.told(Event::TooManyRobots);
+  ASSERT_EQ(many.size(), 1u);
+  EXPECT_EQ(many[0].by->team, world::Team::Blue);
+}
+
+TEST(Progress, IsAQuarterOfAMetreInAnySecond) {
+  Story stuck;
+  stuck.tick(12 * 60 + 5);
+  ASSERT_EQ(stuck.told(Event::NoProgress).size(), 1u);
+  EXPECT_NEAR(stuck.told(Event::NoProgress)[0].margin, 0.25 / 0.04, exact);
+  Story rolls;
+  rolls.ball.velocity = {0.26, 0, 0};
+  rolls.tick(12 * 60 + 5);
+  for (const TrueEvent& event : rolls.told(Event::NoProgress)) EXPECT_FALSE(event.happened());
+}
+
+TEST(Progress, IsNoMatterWhileTheGoalieHoldsTheBall) {
+  Story story;
+  story.state.keeper = {0, 0};
+  story.robot(blue(0), {4.2, 0}).orientation = 3.14159265358979323846;
+  story.ball.position = {4.2 - 0.0945, 0, Story::radius};
+  story.tick(16 * 60);
+  EXPECT_TRUE(story.told(Event::NoProgress).empty());
+  const auto held = story.told(Event::KeeperHeldBall);
+  ASSERT_EQ(held.size(), 1u);
+  EXPECT_EQ(held[0].by, blue(0));
+}
+
+TEST(Settling, NeedsASecondOfSlowRobots) {
+  Story story;
+  story.enter(Location::GameOff);
+  story.state.reset_position = world::Vector2d{0, 0};
+  story.robot(blue(2), {-1, 2}, {0.7, 0});
+  story.tick(60);
+  const double slow = story.now();
+  story.robot(blue(2)).velocity.setZero();
+  story.tick(70);
+  story.enter(Location::Setup);
+  story.tick(30);
+  const auto settled = story.told(Event::RobotsSettled);
+  ASSERT_EQ(settled.size(), 1u);
+  EXPECT_NEAR(world::seconds(settled[0].time), slow + 1, 1.0 / 60 + exact);  // counted in ticks
+  EXPECT_GE(settled[0].margin, 1);
+}
+
+TEST(HullDistance, IsADiscWithAFlatFront) {
+  const world::Field field;
+  truth::Robot robot;
+  EXPECT_NEAR(hull_distance(field, robot, {0.2, 0}), 0.2 - 0.073, exact);
+  EXPECT_NEAR(hull_distance(field, robot, {-0.2, 0}), 0.2 - 0.09, exact);
+  EXPECT_NEAR(hull_distance(field, robot, {0, 0.2}), 0.2 - 0.09, exact);
+  // Continuous where plate, corner and arc meet: around the robot no jump above the step's own length.
+  double before = hull_distance(field, robot, {0.12, 0});
+  for (int n = 1; n <= 3600; ++n) {
+    const double now = hull_distance(field, robot, 0.12 * world::direction(n * 0.001745329));
+    EXPECT_LT(std::abs(now - before), 0.12 * 0.0018) << n;
+    before = now;
+  }
+}
+
+}  // namespace
+}  // namespace judge

@@ -1,0 +1,175 @@
+#include "experiments/judge/tables.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "experiments/judge/game_file.h"
+
+namespace judge {
+namespace {
+
+using testing::HasSubstr;
+
+world::Time at(double seconds) { return world::Time{world::from_seconds(seconds)}; }
+
+world::Touch touch(world::Team team, double probability) {
+  return world::Touch{{team, 1}, at(0), world::Vector2d::Zero(), probability};
+}
+
+/// An exit that blue touched last, called after 50 ms; `said` by "all three" and "likelihood".
+Case exit_case(bool three, bool likelihood, double probability) {
+  const auto team = [](bool right) { return right ? world::Team::Blue : world::Team::Yellow; };
+  Case one{acting_name, Event::Exit, Result::Found};
+  one.truth.emplace();
+  one.truth->time = at(100);
+  one.truth->margin = 10;
+  one.truth->last = LastTouch{{world::Team::Blue, 1}, at(99)};
+  one.call.emplace();
+  one.call->time = at(100);
+  one.call->reported = at(100.05);
+  one.call->last = touch(team(likelihood), probability);
+  one.call->by = one.call->last->robot;
+  one.call->witnesses = {touch(team(three), 1), touch(team(likelihood), probability)};
+  return one;
+}
+
+GameResult game() {
+  GameResult game;
+  game.game = "base-0000-0";
+  game.preset = "measured";
+  game.shadows = {acting_name};
+  game.witnesses = {"all three", "likelihood"};
+  return game;
+}
+
+const Table& table(const std::vector<Table>& all, const std::string& name) {
+  return *std::ranges::find(all, name, &Table::name);
+}
+
+TEST(Tables, CountAsThePaperDid) {
+  // Its own figures (reference "requirements", 1.6): 132 of 158 right is [.770, .885]; ten false exits from
+  // chips.
+  GameResult result = game();
+  for (int n = 0; n < 158; ++n) result.cases.push_back(exit_case(true, n < 132, 0.9));
+  for (int n = 0; n < 12; ++n) {
+    Case extra{acting_name, Event::Exit, Result::Extra};
+    extra.call.emplace();
+    extra.chip = n < 10;
+    result.cases.push_back(extra);
+  }
+  const auto all = tables({&result, 1});
+  const auto& row = table(all, "a_exits").rows.at(0);
+  EXPECT_EQ(row[1], "158");
+  EXPECT_EQ(row[2], "132");
+  EXPECT_EQ(row[3], "26");
+  EXPECT_EQ(row[4], "0");
+  EXPECT_EQ(row[5], "2");
+  EXPECT_EQ(row[6], "10");
+  EXPECT_EQ(row[10], "132/158 = 0.835 [0.770, 0.885]");
+  EXPECT_EQ(row[12], "50, 50");
+  EXPECT_EQ(row[13], "too few");
+}
+
+TEST(Tables, CompareWitnessesOnTheSameExits) {
+  GameResult result = game();
+  for (int n = 0; n < 9; ++n) result.cases.push_back(exit_case(false, true, 0.9));
+  result.cases.push_back(exit_case(true, false, 0.9));
+  const auto all = tables({&result, 1});
+  // Exact binomial, 1 of 10: 2 (1 + 10) / 1024.
+  EXPECT_EQ(table(all, "b_last_touch").rows.at(1).at(3), "0.021 (9:1)");
+}
+
+TEST(Tables, ScoreProbabilities) {
+  GameResult result = game();
+  for (const double probability : {0.95, 0.75}) {
+    result.cases.push_back(exit_case(true, true, probability));
+    result.cases.push_back(exit_case(true, false, probability));
+  }
+  const auto all = tables({&result, 1});
+  // (0.05^2 + 0.95^2 + 0.25^2 + 0.75^2) / 4
+  EXPECT_EQ(table(all, "f_calibration").rows.back().back(), "0.3825");
+}
+
+TEST(Tables, LeaveCloseAndAmbiguousEventsOutOfTheBars) {
+  GameResult result = game();
+  Case close = exit_case(true, false, 0.9);
+  close.truth->margin = 0.9;
+  Case ambiguous = exit_case(true, false, 0.9);
+  ambiguous.truth->ambiguous = true;
+  result.cases = {exit_case(true, true, 0.9), close, ambiguous};
+  const auto all = tables({&result, 1});
+  const auto& row = table(all, "a_exits").rows.at(0);
+  EXPECT_EQ(row[1], "1");
+  EXPECT_EQ(row[3], "0");
+  EXPECT_EQ(row[7], "1");
+  EXPECT_EQ(row[9], "1");
+  EXPECT_TRUE(failures({&result, 1}, acting_name).empty());
+}
+
+TEST(Failures, NamePassageTruthAndCall) {
+  GameResult result = game();
+  result.cases = {exit_case(true, false, 0.62)};
+  const auto failed = failures({&result, 1}, acting_name);
+  ASSERT_EQ(failed.size(), 1u);
+  EXPECT_EQ(failed[0].first_tick, 98 * 60);
+  EXPECT_EQ(failed[0].last_tick, 101 * 60);
+  EXPECT_THAT(failed[0].what, HasSubstr("last touch wrong"));
+  EXPECT_THAT(failed[0].what, HasSubstr("by yellow 1 (probability 0.62)"));
+}
+
+TEST(Formats, QuoteWhatTheyMust) {
+  const std::vector<Table> one = {{"x", "X", "n", {"a", "b"}, {{"1, 2", "say \"so\""}}}};
+  EXPECT_EQ(as_csv(one[0]), "a,b\n\"1, 2\",\"say \"\"so\"\"\"\n");
+  EXPECT_THAT(as_markdown(one), HasSubstr("| 1, 2 | say \"so\" |"));
+  EXPECT_THAT(as_json(one), HasSubstr(R"(["1, 2", "say \"so\""])"));
+}
+
+TEST(GameFile, IsReadBackAsItWas) {
+  GameResult result = game();
+  Case missed{acting_name, Event::DribbledTooFar, Result::Missed};
+  missed.truth.emplace();
+  missed.truth->event = Event::DribbledTooFar;
+  missed.truth->by = world::RobotId{world::Team::Yellow, 11};
+  Case extra{acting_name, Event::Exit, Result::Extra};
+  extra.call.emplace();
+  extra.call->witnesses = {std::nullopt, touch(world::Team::Yellow, 0.25)};
+  extra.chip = true;
+  result.cases = {exit_case(true, false, 0.62), missed, extra};
+  result.touches.push_back({"all three", 0.1, {1, 2, 3, 4, 5}, {5, 4, 3, 2, 1}, 6, 7});
+  result.near_misses[3] = 9;
+  const std::string text = to_json(result);
+  EXPECT_EQ(to_json(game_from_json(text, "it")), text);
+}
+
+TEST(GameFile, SaysWhatIsDamaged) {
+  GameResult result = game();
+  result.cases = {exit_case(true, true, 0.9)};
+  const std::string text = to_json(result);
+  try {
+    game_from_json(text.substr(0, text.size() / 2), "games/x.jsonl");
+    FAIL() << "half a file was read";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("games/x.jsonl:"));
+    EXPECT_THAT(error.what(), HasSubstr("remove the file"));
+  }
+}
+
+TEST(ParseShadow, ReadsItsParts) {
+  const ShadowConfig shadow =
+      parse_shadow("rules=paper,touch=accel+line,exit_frames=5,vision.ball_sigma=0.002");
+  EXPECT_EQ(shadow.rules, "paper");
+  EXPECT_TRUE(shadow.touch->accel && shadow.touch->line && !shadow.touch->backtrack);
+  EXPECT_EQ(shadow.exit_frames, 5);
+  EXPECT_EQ(shadow.realism.at("vision.ball_sigma"), 0.002);
+  EXPECT_EQ(sweeps().size(), 14u);
+}
+
+TEST(ParseShadow, SaysWhatIsWrong) {
+  for (const char* bad : {"", "ours", "paper", "rules=fifa", "touch=feel", "exit_frames=0",
+                          "vision.ball_sigma=much", "vision.ball_sigma=7", "vision.cameras=8", "physics=1"}) {
+    EXPECT_THROW(parse_shadow(bad), std::invalid_argument) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace judge
