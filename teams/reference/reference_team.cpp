@@ -15,7 +15,7 @@ namespace {
 using kit::Phase;
 
 // Places are chosen for this long, then only walked to [s].
-constexpr double choose_places_for = 1.5;
+constexpr double choose_places_for = 0.7;
 
 // Nobody waits for us to find better ones: the referee waits until everyone is at rest.
 bool holds_places(Phase phase) {
@@ -168,7 +168,7 @@ skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation
   return winner_.play(view, situation, robot, rules, parameters_);
 }
 
-// The first 1.5 s choose a place, then it is kept: a formation that goes on moving would keep the referee
+// The first 0.7 s choose a place, then it is kept: a formation that goes on moving would keep the referee
 // waiting.
 void ReferenceTeam::hold_place(const kit::View& view, const kit::Robot& robot, skills::Order& order) {
   std::optional<Vector2d>& place = places_[robot.number];
