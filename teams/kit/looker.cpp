@@ -137,8 +137,11 @@ void Looker::predict_own(Robot& robot, world::Time from) const {
     const Sent& sent = sent_[static_cast<std::size_t>(m) % history][robot.number];
     const double omega = turned_to(robot.angular_velocity, sent.angular_velocity, robot.specs, dt);
     const double angle = robot.orientation + 0.5 * omega * dt;
-    const Vector2d velocity = driven(robot.velocity, world::rotated(sent.velocity_local, angle),
-                                     world::direction(angle), robot.specs, dt);
+    const Vector2d forward = world::direction(angle);
+    const Vector2d& local = sent.velocity_local;
+    const Vector2d asked(forward.x() * local.x() - forward.y() * local.y(),
+                         forward.y() * local.x() + forward.x() * local.y());
+    const Vector2d velocity = driven(robot.velocity, asked, forward, robot.specs, dt);
     robot.position += 0.5 * (robot.velocity + velocity) * dt;
     robot.velocity = velocity;
     robot.orientation = world::wrap_angle(robot.orientation + omega * dt);

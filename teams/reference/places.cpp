@@ -12,12 +12,13 @@ constexpr double keep = 0.03;   // of value, in favour of the place before
 constexpr double apart = 1.0;   // [m] between greedy supporters (reference "football", 2.10)
 constexpr double settle = 0.3;  // [s] in favour of the zone before
 
-// The better of a place and a grid point.
+// The better of a place and a grid point; of equals the one with the smaller index, whatever the order.
 void consider(const ValueMap& map, int index, const Chooser& chooser, Place& best) {
-  const ValueMap::Point& point = map.at(index);
   const double bonus = index == chooser.before ? keep : 0;
-  // P_reach is at most 1: most points need no travel time.
-  if (point.value <= 0 || point.value + bonus <= best.value) return;
+  // P_reach is at most 1: most points need neither travel time nor value.
+  if (map.most(index) + bonus < best.value) return;
+  const ValueMap::Point& point = map.at(index);
+  if (point.value <= 0 || point.value + bonus < best.value) return;
   double reach = 1;
   if (chooser.kick_time < 9) {
     const kit::Robot& robot = *chooser.robot;
@@ -26,7 +27,7 @@ void consider(const ValueMap& map, int index, const Chooser& chooser, Place& bes
     reach = reach_chance(own, chooser.kick_time + point.ball_time);
   }
   const double value = point.value * reach + bonus;
-  if (value <= best.value) return;
+  if (value < best.value || (value == best.value && index >= best.grid)) return;
   best = {index, point.position, value, point.ball_time};
 }
 
@@ -34,6 +35,9 @@ void consider(const ValueMap& map, int index, const Chooser& chooser, Place& bes
 
 Place best_in_zone(const ValueMap& map, Zone zone, const Chooser& chooser) {
   Place best;
+  // The place before is often still the best: with it first the others need no more than a glance.
+  const int before = chooser.before;
+  if (before >= 0 && Partition::zone_of_grid_point(before) == zone) consider(map, before, chooser, best);
   const int first = zone.column * grid_per_zone * grid_side + (zone.row + 1) * grid_per_zone;
   for (int i = 0; i < grid_per_zone; ++i) {
     for (int j = 0; j < grid_per_zone; ++j) consider(map, first + i * grid_side + j, chooser, best);
@@ -43,13 +47,15 @@ Place best_in_zone(const ValueMap& map, Zone zone, const Chooser& chooser) {
 
 Place best_anywhere(const ValueMap& map, std::span<const Vector2d> taken, const Chooser& chooser) {
   Place best;
-  for (int index = 0; index < grid_points; ++index) {
-    const Vector2d& position = map.at(index).position;
+  const auto look_at = [&](int index) {
+    const Vector2d position = map.position(index);
     const bool free = std::all_of(taken.begin(), taken.end(), [&position](const Vector2d& other) {
       return (other - position).squaredNorm() >= apart * apart;
     });
     if (free) consider(map, index, chooser, best);
-  }
+  };
+  if (chooser.before >= 0) look_at(chooser.before);
+  for (int index = 0; index < grid_points; ++index) look_at(index);
   return best;
 }
 

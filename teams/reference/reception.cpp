@@ -16,6 +16,18 @@ constexpr double shot_from = 4.0;     // [m] from their goal: a pass there is pl
 constexpr double hopeless = 0.03;     // safety below which nobody asks what would follow
 constexpr double time_to_turn = 0.6;  // [s] to stop the ball and turn with it (ours)
 
+// [0..1] by how far it is up the field and how far the pass goes.
+double advance_of(const world::Field& field, const Vector2d& point, double length) {
+  const double up = std::clamp((point.x() + field.half_length()) / field.length, 0.0, 1.0);
+  const double apart = std::clamp((length - 0.5) / 1.0, 0.0, 1.0);  // 1.5 m and more are far enough
+  return up * apart;
+}
+
+// Of the chance of a goal: what distance leaves of it.
+double share_from(double distance, bool guarded) {
+  return guarded ? std::clamp((far_shot - distance) / 2.0, 0.0, 1.0) : 1.0;
+}
+
 }  // namespace
 
 double Reception::value() const { return safety * (weight_of_goal * goal + (1 - weight_of_goal) * advance); }
@@ -25,8 +37,8 @@ bool is_guarded(const kit::View& view) {
 }
 
 double goal_chance(double opening_width, double distance, bool guarded) {
-  const double far = guarded ? std::clamp((far_shot - distance) / 2.0, 0.0, 1.0) : 1.0;
-  return std::min(1.0, opening_width / 0.3) * far;  // 0.3 rad: reference "football", 2.5
+  // 0.3 rad: reference "football", 2.5
+  return std::min(1.0, opening_width / 0.3) * share_from(distance, guarded);
 }
 
 double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter,
@@ -65,10 +77,18 @@ Reception reception_at(const kit::View& view, const kit::BallModel& model, const
   r.safety = pass.safety;
   const double later = pass.time + (one_touch ? 0.0 : time_to_turn);
   if (r.safety > hopeless) r.goal = share * goal_chance(view, point, 6.5, receiver, later);
-  const double up = std::clamp((point.x() + field.half_length()) / field.length, 0.0, 1.0);
-  const double apart = std::clamp((length - 0.5) / 1.0, 0.0, 1.0);  // 1.5 m and more are far enough
-  r.advance = up * apart;
+  r.advance = advance_of(field, point, length);
   return r;
+}
+
+// Each factor is at least reception_at's and everything grows with each, rounded too: a true bound.
+double most_at(const kit::View& view, const Vector2d& from, const Vector2d& point) {
+  Reception r;
+  r.safety = 1;
+  r.goal =
+      redirect_share(view, from, point) * share_from((view.their_goal() - point).norm(), is_guarded(view));
+  r.advance = advance_of(view.field(), point, (point - from).norm());
+  return r.value();
 }
 
 }  // namespace reference

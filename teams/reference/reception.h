@@ -29,6 +29,9 @@ struct Reception {
 Reception reception_at(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
                        const Vector2d& point, int receiver = -1, std::optional<double> arrival = {});
 
+/// At least `reception_at(...).value()` of a pass for a shot: P_safe 1, and nobody before the goal.
+double most_at(const kit::View& view, const Vector2d& from, const Vector2d& point);
+
 /// P_reach: chance that the receiver is there with the ball.
 ///
 /// @param own_time   [s] until it can be there

@@ -24,6 +24,8 @@ const Disc* first_in_the_way(const Vector2d& from, const Vector2d& to, const Obs
     const double forward = to_center.dot(along);
     if (forward <= 0) continue;
     const double beside = std::abs(along.x() * to_center.y() - along.y() * to_center.x());
+    // Beside the way, or behind a nearer one (most are): no roots needed.
+    if (beside >= disc.radius || forward - disc.radius >= nearest) continue;
     // A target inside a disc: come as near as it lets us.
     double radius = disc.radius;
     const double target_depth = (to - disc.center).norm();

@@ -11,6 +11,19 @@ namespace {
 // [rad/s] of the dribbler's bar; 150 is what simulators use (reference "football", section 5).
 constexpr double dribbler_speed = 150;
 
+// Farther than that from the area by its depth alone (most are): the distance itself need not be known.
+bool is_clear_of_area(const world::Field& field, world::Side side, const Vector2d& point, double distance) {
+  const world::DefenseArea& area = field.defense_area;
+  const bool round = area.shape == world::DefenseArea::Shape::QuarterCircles;
+  const double from_line = field.half_length() - world::sign(side) * point.x();
+  return from_line - (round ? area.radius : area.depth) > distance + 1e-9;
+}
+
+Vector2d moved_out(const world::Field& field, world::Side side, const Vector2d& point, double distance) {
+  if (is_clear_of_area(field, side, point, distance)) return point;
+  return world::moved_out_of_defense_area(field, side, point, distance);
+}
+
 }  // namespace
 
 Vector2d without_collisions(const kit::View& view, const kit::Robot& robot, Vector2d velocity,
@@ -19,6 +32,7 @@ Vector2d without_collisions(const kit::View& view, const kit::Robot& robot, Vect
     for (const kit::Robot& other : *robots) {
       if (robots == &view.own && other.number == robot.number) continue;
       const Vector2d to = other.position - robot.position;
+      if (to.squaredNorm() > 1.5) continue;
       const double distance = to.norm();
       if (distance > 1.2 || distance < 1e-6) continue;  // [m] nobody needs more to brake from 3 m/s
       const Vector2d n = to / distance;
@@ -37,6 +51,7 @@ Vector2d without_collisions(const kit::View& view, const kit::Robot& robot, Vect
 Vector2d outside_area(const kit::View& view, const kit::Robot& robot, world::Side side, Vector2d velocity,
                       double margin) {
   const world::Field& field = view.field();
+  if (is_clear_of_area(field, side, robot.position, 0.8 + robot.specs.radius + margin)) return velocity;
   const double gap =
       world::distance_to_defense_area(field, side, robot.position) - robot.specs.radius - margin;
   if (gap > 0.8) return velocity;  // [m] braking from 3 m/s takes less
@@ -57,11 +72,9 @@ Vector2d legal_target(const kit::View& view, const kit::Robot& robot, const Orde
   target.x() = std::clamp(target.x(), -field.half_length() - beyond, field.half_length() + beyond);
   target.y() = std::clamp(target.y(), -field.half_width() - beyond, field.half_width() + beyond);
   if (!order.enter_own_area) {
-    target =
-        world::moved_out_of_defense_area(field, world::Side::Negative, target, robot.specs.radius + 0.05);
+    target = moved_out(field, world::Side::Negative, target, robot.specs.radius + 0.05);
   }
-  return world::moved_out_of_defense_area(field, world::Side::Positive, target,
-                                          robot.specs.radius + order.their_area + 0.03);
+  return moved_out(field, world::Side::Positive, target, robot.specs.radius + order.their_area + 0.03);
 }
 
 double turning(const kit::Robot& robot, double heading, double max_turn) {
