@@ -226,6 +226,36 @@ TEST(ValueMap, IsNewAfterSixTicksInAHurry) {
   for (int i = 0; i < grid_points; ++i) EXPECT_EQ(c.map.at(i).value, whole.at(i).value);
 }
 
+// Places are left out by it, so it must not be below the value by the last bit.
+TEST(ValueMap, IsNowhereWorthMoreThanItsBound) {
+  const Choosing c;
+  int below = 0;
+  for (int i = 0; i < grid_points; ++i) {
+    const double most = c.map.most(i);
+    EXPECT_LE(c.map.at(i).value, most) << i;
+    below += most < 0.5;
+  }
+  EXPECT_GT(below, 0) << "a bound that is always high leaves nothing out";
+}
+
+// Worked out when asked for, but from the world of its tick: also when nobody asked for so long that the
+// place for that world is needed again.
+TEST(ValueMap, IsAsOldAsItsTickWheneverItIsAskedFor) {
+  for (const int later : {1, 50}) {
+    Choosing lazy, eager;
+    for (int i = 0; i < grid_points; ++i) eager.map.at(i);
+    for (Choosing* c : {&lazy, &eager}) {
+      for (int i = 0; i < later; ++i) {
+        c->view.opponents[1].position.x() += 0.05;
+        c->view.tick += 12;  // always the first sixth's turn
+        c->map.refresh(c->view, model, c->partition, true);
+        if (c == &eager) c->map.at(0);
+      }
+    }
+    for (int i = 0; i < grid_points; ++i) EXPECT_EQ(lazy.map.at(i).value, eager.map.at(i).value) << i;
+  }
+}
+
 TEST(ValueMap, HasNoPlaceAtTheirDefenseArea) {
   const Choosing c;
   for (int i = 0; i < grid_points; ++i) {
