@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 #include "experiments/record/ledger.h"
@@ -66,10 +65,8 @@ TEST(Html, ClosesWhatItOpens) {
   for (const std::string tag :
        {"table", "tbody", "tr",   "td",   "th",  "div", "p", "h2",      "h3",     "details",
         "ul",    "li",    "span", "code", "pre", "b",   "i", "summary", "script", "style"}) {
-    const std::regex open("<" + tag + "[ >]");
-    const auto opened =
-        std::distance(std::sregex_iterator(text.begin(), text.end(), open), std::sregex_iterator());
-    EXPECT_EQ(static_cast<std::size_t>(opened), count(text, "</" + tag + ">")) << tag;
+    const std::size_t opened = count(text, "<" + tag + " ") + count(text, "<" + tag + ">");
+    EXPECT_EQ(opened, count(text, "</" + tag + ">")) << tag;
   }
 }
 
