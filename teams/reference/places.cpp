@@ -17,7 +17,7 @@ void consider(const ValueMap& map, int index, const Chooser& chooser, Place& bes
   const double bonus = index == chooser.before ? keep : 0;
   // P_reach is at most 1: most points need neither travel time nor value.
   if (map.most(index) + bonus < best.value) return;
-  const ValueMap::Point& point = map.at(index);
+  const ValueMap::Point& point = map.pass(index);
   if (point.value <= 0 || point.value + bonus < best.value) return;
   double reach = 1;
   if (chooser.kick_time < 9) {
@@ -26,6 +26,8 @@ void consider(const ValueMap& map, int index, const Chooser& chooser, Place& bes
                                            skills::driving_limits(robot.specs));
     reach = reach_chance(own, chooser.kick_time + point.ball_time);
   }
+  if (point.value * reach + bonus < best.value) return;
+  if (map.at(index).value <= 0) return;
   const double value = point.value * reach + bonus;
   if (value < best.value || (value == best.value && index >= best.grid)) return;
   best = {index, point.position, value, point.ball_time};

@@ -61,34 +61,42 @@ double reach_chance(double own_time, double ball_time) {
   return 1 / (1 + std::exp(-(ball_time + 0.1 - own_time) / 0.1));  // reference "football", 2.6
 }
 
-Reception reception_at(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
-                       const Vector2d& point, int receiver, std::optional<double> arrival) {
+Reception pass_at(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
+                  const Vector2d& point, std::optional<double> arrival) {
   Reception r;
-  const world::Field& field = view.field();
-  const double length = (point - from).norm();
-  const double share = redirect_share(view, from, point);
+  r.share = redirect_share(view, from, point);
   // 3.5 m/s where the ball may be shot on at once, 2.2 where it is to be held (reference "football", 2.6).
   const bool near = (view.their_goal() - point).norm() < shot_from;
-  const bool one_touch = near && share >= 1 && !arrival;
+  const bool one_touch = near && r.share >= 1 && !arrival;
   const skills::Pass pass =
       skills::plan_pass(view, model, from, point, arrival.value_or(one_touch ? 3.5 : 2.2));
   r.speed = pass.speed;
   r.ball_time = pass.time;
   r.safety = pass.safety;
-  const double later = pass.time + (one_touch ? 0.0 : time_to_turn);
-  if (r.safety > hopeless) r.goal = share * goal_chance(view, point, 6.5, receiver, later);
-  r.advance = advance_of(field, point, length);
+  r.later = pass.time + (one_touch ? 0.0 : time_to_turn);
+  r.advance = advance_of(view.field(), point, (point - from).norm());
+  return r;
+}
+
+double goal_after(const kit::View& view, const Vector2d& point, const Reception& r, int receiver) {
+  return r.safety > hopeless ? r.share * goal_chance(view, point, 6.5, receiver, r.later) : 0;
+}
+
+Reception reception_at(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
+                       const Vector2d& point, int receiver, std::optional<double> arrival) {
+  Reception r = pass_at(view, model, from, point, arrival);
+  r.goal = goal_after(view, point, r, receiver);
   return r;
 }
 
 // Each factor is at least reception_at's and everything grows with each, rounded too: a true bound.
-double most_at(const kit::View& view, const Vector2d& from, const Vector2d& point) {
+Reception best_case_at(const kit::View& view, const Vector2d& from, const Vector2d& point) {
   Reception r;
   r.safety = 1;
   r.goal =
       redirect_share(view, from, point) * share_from((view.their_goal() - point).norm(), is_guarded(view));
   r.advance = advance_of(view.field(), point, (point - from).norm());
-  return r.value();
+  return r;
 }
 
 }  // namespace reference

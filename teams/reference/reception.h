@@ -19,6 +19,8 @@ struct Reception {
   double safety = 0;     ///< P_safe
   double goal = 0;       ///< P_goal of the shot that follows, less for one that first has to turn
   double advance = 0;    ///< A
+  double share = 0;      ///< of P_goal, by the angle of the redirect
+  double later = 0;      ///< [s] from the kick to the shot
 
   /// P_safe [w_s P_goal + w_a A]
   double value() const;
@@ -29,8 +31,13 @@ struct Reception {
 Reception reception_at(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
                        const Vector2d& point, int receiver = -1, std::optional<double> arrival = {});
 
-/// At least `reception_at(...).value()` of a pass for a shot: P_safe 1, and nobody before the goal.
-double most_at(const kit::View& view, const Vector2d& from, const Vector2d& point);
+/// Its two parts: the pass, with P_goal 0, and then P_goal.
+Reception pass_at(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
+                  const Vector2d& point, std::optional<double> arrival = {});
+double goal_after(const kit::View& view, const Vector2d& point, const Reception& pass, int receiver = -1);
+
+/// P_safe 1 and nobody before the goal: worth at least as much as the reception itself, and cheap.
+Reception best_case_at(const kit::View& view, const Vector2d& from, const Vector2d& point);
 
 /// P_reach: chance that the receiver is there with the ball.
 ///

@@ -14,53 +14,50 @@ bool may_wait_at(const kit::View& view, const Vector2d& point) {
          view.field().robot_radius + 0.25;
 }
 
-const ValueMap::Moment& ValueMap::moment_of(int index) const {
-  return moments_[static_cast<std::size_t>(waits_for_[static_cast<std::size_t>(index)])];
-}
+const ValueMap::Point& ValueMap::at(int index) const { return known_as_far_as(Known::Value, index); }
 
-void ValueMap::evaluate(int index) const {
-  const Moment& moment = moment_of(index);
+void ValueMap::find_out(Known wanted, int index) const {
+  Entry& entry = entries_[static_cast<std::size_t>(index)];
+  const Moment& moment = moments_[entry.moment];
   const kit::View& view = moment.view;
-  Point& point = points_[static_cast<std::size_t>(index)];
-  waits_for_[static_cast<std::size_t>(index)] = known;
-  point.position = moment.partition.grid_point(index);
-  point.value = 0;
-  if (!may_wait_at(view, point.position)) return;
-  const Reception reception = reception_at(view, moment.model, view.ball.position, point.position);
-  point.value = reception.value();
-  point.ball_time = reception.ball_time;
-}
-
-const ValueMap::Point& ValueMap::at(int index) const {
-  if (waits_for_[static_cast<std::size_t>(index)] != known) evaluate(index);
-  return points_[static_cast<std::size_t>(index)];
-}
-
-Vector2d ValueMap::position(int index) const {
-  if (waits_for_[static_cast<std::size_t>(index)] == known) {
-    return points_[static_cast<std::size_t>(index)].position;
+  Point& point = entry.point;
+  if (entry.known == Known::Nothing) {
+    point.position = moment.partition.grid_point(index);
+    const Reception best_case = best_case_at(view, view.ball.position, point.position);
+    entry.open = best_case.goal;
+    point.value = best_case.value();
+    entry.known = Known::Bound;
   }
-  return moment_of(index).partition.grid_point(index);
-}
-
-double ValueMap::most(int index) const {
-  if (waits_for_[static_cast<std::size_t>(index)] == known) {
-    return points_[static_cast<std::size_t>(index)].value;
+  if (entry.known < wanted && entry.known == Known::Bound) {
+    if (!may_wait_at(view, point.position)) {
+      point.value = 0;
+      entry.known = Known::Value;
+      return;
+    }
+    entry.least = pass_at(view, moment.model, view.ball.position, point.position);
+    point.ball_time = entry.least.ball_time;
+    Reception open = entry.least;
+    open.goal = entry.open;
+    point.value = open.value();
+    entry.known = Known::Pass;
   }
-  const Moment& moment = moment_of(index);
-  return most_at(moment.view, moment.view.ball.position, moment.partition.grid_point(index));
+  if (entry.known < wanted) {
+    entry.least.goal = goal_after(view, point.position, entry.least);
+    point.value = entry.least.value();
+    entry.known = Known::Value;
+  }
 }
 
 // The place of the oldest moment is taken. A point that still waits for it (its turn did not come, because
 // the ticks were not consecutive or the rhythm changed) is worked out now.
 void ValueMap::remember(const kit::View& view, const kit::BallModel& model, const Partition& partition) {
-  now_ = (now_ + 1) % static_cast<int>(moments_.size());
+  now_ = static_cast<std::uint8_t>((now_ + 1U) % moments_.size());
   if (begun_) {
     for (int i = 0; i < grid_points; ++i) {
-      if (waits_for_[static_cast<std::size_t>(i)] == now_) evaluate(i);
+      if (entries_[static_cast<std::size_t>(i)].moment == now_) known_as_far_as(Known::Value, i);
     }
   }
-  Moment& moment = moments_[static_cast<std::size_t>(now_)];
+  Moment& moment = moments_[now_];
   moment.view = view;
   moment.model = model;
   moment.partition = partition;
@@ -72,13 +69,18 @@ void ValueMap::refresh(const kit::View& view, const kit::BallModel& model, const
   remember(view, model, partition);
   const int slices = hurry ? slices_in_a_hurry : slices_else;
   for (int i = static_cast<int>(view.tick % slices); i < grid_points; i += slices) {
-    waits_for_[static_cast<std::size_t>(i)] = static_cast<std::int8_t>(now_);
+    Entry& entry = entries_[static_cast<std::size_t>(i)];
+    entry.known = Known::Nothing;
+    entry.moment = now_;
   }
 }
 
 void ValueMap::compute(const kit::View& view, const kit::BallModel& model, const Partition& partition) {
   remember(view, model, partition);
-  waits_for_.fill(static_cast<std::int8_t>(now_));
+  for (Entry& entry : entries_) {
+    entry.known = Known::Nothing;
+    entry.moment = now_;
+  }
   begun_ = true;
 }
 

@@ -25,9 +25,11 @@ class ValueMap {
   void compute(const kit::View& view, const kit::BallModel& model, const Partition& partition);
 
   const Point& at(int index) const;
-  Vector2d position(int index) const;  ///< without the value [m]
+  Vector2d position(int index) const { return known_as_far_as(Known::Bound, index).position; }  ///< [m]
   /// At least the value there, cheaply: what it would be if the pass were safe and the goal open.
-  double most(int index) const;
+  double most(int index) const { return known_as_far_as(Known::Bound, index).value; }
+  /// The same with the pass as it is: its time is right, the value at least what it will be.
+  const Point& pass(int index) const { return known_as_far_as(Known::Pass, index); }
 
  private:
   /// What the points of one tick are worked out from.
@@ -36,16 +38,26 @@ class ValueMap {
     kit::BallModel model;
     Partition partition;
   };
-  static constexpr int known = -1;
+  enum class Known : std::uint8_t { Nothing, Bound, Pass, Value };
+  struct Entry {
+    Known known = Known::Nothing;
+    std::uint8_t moment = 0;
+    Point point;      // as far as it is known
+    Reception least;  // likewise
+    double open = 0;  // P_goal if nobody stood before the goal
+  };
 
   void remember(const kit::View& view, const kit::BallModel& model, const Partition& partition);
-  void evaluate(int index) const;
-  const Moment& moment_of(int index) const;
+  const Point& known_as_far_as(Known wanted, int index) const {
+    const Entry& entry = entries_[static_cast<std::size_t>(index)];
+    if (entry.known < wanted) find_out(wanted, index);
+    return entry.point;
+  }
+  void find_out(Known wanted, int index) const;
 
   std::array<Moment, 20> moments_;  // more than a slow round has ticks
-  int now_ = 0;
-  mutable std::array<Point, grid_points> points_{};
-  mutable std::array<std::int8_t, grid_points> waits_for_{};  // the moment, or `known`
+  std::uint8_t now_ = 0;
+  mutable std::array<Entry, grid_points> entries_{};
   bool begun_ = false;
 };
 
