@@ -86,10 +86,17 @@ void RobotTrack::age(world::Time now) {
 }
 
 void RobotTrack::foretell(world::Time time, world::TrackedRobot& out) const {
+  out.id = id_;
   const world::Duration unseen = std::max(world::Duration{}, time - seen_);
+  if (unseen == world::Duration{}) {  // most are seen in every frame: nothing to foretell
+    out.position = filter_.position();
+    out.orientation = filter_.heading();
+    out.velocity = filter_.velocity();
+    out.angular_velocity = filter_.angular_velocity();
+    return;
+  }
   const double dt = world::seconds(std::min(unseen, coasting));
   const bool moving = unseen <= coasting;
-  out.id = id_;
   out.position = filter_.position() + filter_.velocity() * dt;
   out.orientation = world::wrap_angle(filter_.heading() + filter_.angular_velocity() * dt);
   out.velocity = moving ? filter_.velocity() : Vector2d(Vector2d::Zero());

@@ -18,8 +18,9 @@ constexpr std::size_t max_cameras = 64;   // ids beyond are nonsense; the league
 constexpr std::size_t max_balls = 64;     // of one image; ours
 constexpr std::int64_t max_time = 3'000'000'000'000'000'000;  // [ns] differences must not overflow
 
-constexpr world::Duration same_frame = 17ms;  // two cameras' images so near show one instant; ours
-constexpr double one_thing = 0.15;            // [m] farther apart, two cameras do not show one thing; ours
+constexpr world::Duration same_frame = 17ms;      // two cameras' images so near show one instant; ours
+constexpr world::Duration compare_every = 100ms;  // offsets drift by millimetres a minute; ours
+constexpr double one_thing = 0.15;  // [m] farther apart, two cameras do not show one thing; ours
 
 constexpr int numbers = world::max_robot_number + 1;
 
@@ -122,6 +123,8 @@ const world::TrackedFrame* Tracker::update(std::span<const world::Detection> det
   if (images_.empty()) return nullptr;
   const world::Time newest = images_.back()->t_capture;
   const world::Time before = started_ ? frame_.time : images_.front()->t_capture - 1ns;
+  comparing_ = newest >= compared_ + compare_every || newest < compared_;
+  if (comparing_) compared_ = newest;
   for (const world::Detection* image : images_) {
     if (!repeats(*image)) take_in(*image);
   }
@@ -191,7 +194,7 @@ void Tracker::see_balls(const world::Detection& detection, const Vector2d& bias)
 void Tracker::compare(std::optional<Sighting>& last, const Sighting& now, const Vector2d& velocity,
                       double velocity_variance, double sigma) {
   const std::optional<Sighting> before = std::exchange(last, now);
-  if (!before || before->camera == now.camera) return;
+  if (!comparing_ || !before || before->camera == now.camera) return;
   const world::Duration apart = now.time - before->time;
   if (apart < world::Duration{} || apart > same_frame) return;
   const double dt = world::seconds(apart);

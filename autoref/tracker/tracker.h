@@ -84,6 +84,8 @@ class Tracker {
   world::TrackedFrame frame_;
   bool started_ = false;
   bool commanded_ = false;         // some track has a command
+  world::Time compared_;           // when cameras were last compared
+  bool comparing_ = false;         // they are in this batch
   int batches_from_the_past_ = 0;  // in a row
   int restarts_ = 0;
   std::vector<CameraClock> cameras_;

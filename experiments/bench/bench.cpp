@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -11,7 +12,9 @@
 
 #include "experiments/bench/compare.h"
 #include "experiments/bench/scaling.h"
+#include "experiments/bench/team_times.h"
 #include "experiments/host/play.h"
+#include "experiments/host/private_directory.h"
 #include "experiments/host/processor.h"
 #include "sim/physics/reference_scene.h"
 
@@ -42,6 +45,17 @@ double switches() {
   return sum;
 }
 
+// Mean from the processor time of the whole process, median and 99 % from what the team says of its ticks.
+Row row_of_team(const std::string& part, double mean, const std::filesystem::path& log) {
+  Row row{part, mean};
+  std::ifstream in(log, std::ios::binary);
+  if (const auto times = team_times({std::istreambuf_iterator<char>(in), {}})) {
+    row.median = times->median;
+    row.ninety_nine = times->ninety_nine;
+  }
+  return row;
+}
+
 std::string read(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) throw std::invalid_argument(file + ": the file to compare with cannot be read");
@@ -69,8 +83,17 @@ Figures measure(const BenchOptions& options) {
   host::Stopwatch stopwatch;
   host::Options how;
   how.stopwatch = &stopwatch;
+  const host::PrivateDirectory logs;
+  record::MatchConfig game = options.game;
+  if (game.directory.empty()) game.directory = logs.path();
+  if (options.team_times) {
+    for (const world::Team team : world::both_teams) {
+      auto& command = game.teams[team].command;
+      command.insert(command.end(), {"--timing", "on"});
+    }
+  }
   const double switches_before = switches();
-  record::MatchRecord record = host::play(options.game, how);
+  record::MatchRecord record = host::play(game, how);
   if (record.termination != record::Termination::Finished) {
     throw std::runtime_error(std::string("the game did not finish: ") + record.reason);
   }
@@ -96,8 +119,10 @@ Figures measure(const BenchOptions& options) {
   figures.rows.push_back({"channel", stopwatch.mean(Part::Channel) - teams_user / ticks});
   figures.rows.push_back(row_of(name(Part::Bookkeeping), stopwatch.times(Part::Bookkeeping)));
   if (options.game.log) figures.rows.push_back(row_of(name(Part::Log), stopwatch.times(Part::Log)));
-  figures.rows.push_back({"team yellow", costs["user_seconds_yellow"] / ticks});
-  figures.rows.push_back({"team blue", costs["user_seconds_blue"] / ticks});
+  figures.rows.push_back(
+      row_of_team("team yellow", costs["user_seconds_yellow"] / ticks, game.directory / "yellow.log"));
+  figures.rows.push_back(
+      row_of_team("team blue", costs["user_seconds_blue"] / ticks, game.directory / "blue.log"));
   for (const Row& row : figures.rows) figures.sum += row.mean;
 
   figures.memory_host = static_cast<std::int64_t>(costs["peak_memory_host"]);

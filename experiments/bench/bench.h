@@ -17,6 +17,9 @@ struct BenchOptions {
   record::MatchConfig game = standard_game();
   int cpu = 0;       ///< the processor for host and teams; -1: unbound, and the row "channel" means little
   int workers = -1;  ///< games at once, for the games per hour; 0: not measured, -1: one per processor
+  /// Teams are told `--timing on` while the game is measured, for median and 99 % of their ticks; false for
+  /// teams that do not know it.
+  bool team_times = true;
   bool as_json = false;   ///< JSON instead of the table
   std::string compare{};  ///< file of older figures to be compared with; empty: none
 };

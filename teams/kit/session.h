@@ -36,6 +36,7 @@ class Session {
   /// @throws  std::runtime_error when it is no HostMessage, or comes out of turn, or speaks another version
   std::string_view answer(std::span<const std::byte> payload);
 
+  bool greeted() const { return team_ != nullptr; }  ///< the hello was answered; what follows are ticks
   bool over() const { return over_; }
   const std::string& goodbye_reason() const { return reason_; }
   /// What the team says about its game; empty before a hello.

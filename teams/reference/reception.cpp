@@ -94,7 +94,8 @@ Reception best_case_at(const kit::View& view, const Vector2d& from, const Vector
   Reception r;
   r.safety = 1;
   r.goal =
-      redirect_share(view, from, point) * share_from((view.their_goal() - point).norm(), is_guarded(view));
+      redirect_share(view, from, point) *
+      goal_chance(skills::width_of_goal(view, point), (view.their_goal() - point).norm(), is_guarded(view));
   r.advance = advance_of(view.field(), point, (point - from).norm());
   return r;
 }

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
+#include "teams/reference/legal.h"
 #include "teams/skills/motion.h"
 
 namespace reference {
 namespace {
 
 constexpr int think_every = 6;      // ticks: 10 Hz
+constexpr int think_rarely = 30;    // while places are kept
+constexpr double kept_after = 1.0;  // [s] of a stoppage: places in it are chosen by then (reference_team)
 constexpr double replan = 1.0;      // [s] (reference "football", 2.10)
 constexpr double late_start = 0.3;  // [s] a receiver needs to see that the ball was kicked
 constexpr double most_ahead = 0.3;  // [m] from the place of the pass
@@ -63,7 +66,8 @@ void Supports::think(const kit::View& view, const Situation& situation, const Ro
   }
   if (count == 0) return;
   const std::span robots(found.data(), count);
-  map_.refresh(view, situation.model, partition_, situation.possession != Possession::Theirs);
+  const bool kept = is_dead(view.game.phase) && view.game.age > kept_after;
+  map_.refresh(view, situation.model, partition_, !kept && situation.possession != Possession::Theirs);
 
   // Until the pass can be played: nobody knows while the ball is not ours.
   double kick_time = 9;
@@ -71,6 +75,7 @@ void Supports::think(const kit::View& view, const Situation& situation, const Ro
   if (situation.possession == Possession::Ours && winner != nullptr) {
     kick_time = std::min(time_to_ball(view, situation, *winner) + 0.2, 8.9);
   }
+  const int every = kept ? think_rarely : think_every;
   const bool zones = parameters.attack == "zones";
   if (zones) plan_zones(view, robots);
 
@@ -83,7 +88,7 @@ void Supports::think(const kit::View& view, const Situation& situation, const Ro
     member.expected = coming && coming->kind == Kick::Kind::Pass && coming->receiver == robot.number;
     const Chooser waiting{&robot, kick_time, member.place.grid};
     const Chooser receiving{&robot, kick_time, member.expected ? member.target.grid : -1};
-    if (member.place.grid < 0 || (view.tick + 2 * robot.number) % think_every == 0) {
+    if (member.place.grid < 0 || (view.tick + 2 * robot.number) % every == 0) {
       if (zones) {
         const Zone zone{member.zone / 3, member.zone % 3 - 1};
         member.place = best_in_zone(map_, zone, waiting);

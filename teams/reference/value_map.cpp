@@ -16,22 +16,23 @@ bool may_wait_at(const kit::View& view, const Vector2d& point) {
 
 const ValueMap::Point& ValueMap::at(int index) const { return known_as_far_as(Known::Value, index); }
 
-void ValueMap::find_out(Known wanted, int index) const {
-  Entry& entry = entries_[static_cast<std::size_t>(index)];
-  const Moment& moment = moments_[entry.moment];
+void ValueMap::find_out(Known wanted, std::size_t index) const {
+  Entry& entry = entries_[index];
+  Known& known = known_[index];
+  const Moment& moment = moments_[moment_of_[index]];
   const kit::View& view = moment.view;
   Point& point = entry.point;
-  if (entry.known == Known::Nothing) {
-    point.position = moment.partition.grid_point(index);
+  if (known == Known::Nothing) {
+    point.position = moment.partition.grid_point(static_cast<int>(index));
     const Reception best_case = best_case_at(view, view.ball.position, point.position);
     entry.open = best_case.goal;
     point.value = best_case.value();
-    entry.known = Known::Bound;
+    known = Known::Bound;
   }
-  if (entry.known < wanted && entry.known == Known::Bound) {
+  if (known < wanted && known == Known::Bound) {
     if (!may_wait_at(view, point.position)) {
       point.value = 0;
-      entry.known = Known::Value;
+      known = Known::Value;
       return;
     }
     entry.least = pass_at(view, moment.model, view.ball.position, point.position);
@@ -39,12 +40,12 @@ void ValueMap::find_out(Known wanted, int index) const {
     Reception open = entry.least;
     open.goal = entry.open;
     point.value = open.value();
-    entry.known = Known::Pass;
+    known = Known::Pass;
   }
-  if (entry.known < wanted) {
+  if (known < wanted) {
     entry.least.goal = goal_after(view, point.position, entry.least);
     point.value = entry.least.value();
-    entry.known = Known::Value;
+    known = Known::Value;
   }
 }
 
@@ -53,12 +54,18 @@ void ValueMap::find_out(Known wanted, int index) const {
 void ValueMap::remember(const kit::View& view, const kit::BallModel& model, const Partition& partition) {
   now_ = static_cast<std::uint8_t>((now_ + 1U) % moments_.size());
   if (begun_) {
-    for (int i = 0; i < grid_points; ++i) {
-      if (entries_[static_cast<std::size_t>(i)].moment == now_) known_as_far_as(Known::Value, i);
+    for (std::size_t i = 0; i < grid_points; ++i) {
+      if (moment_of_[i] == now_ && known_[i] < Known::Value) find_out(Known::Value, i);
     }
   }
+  // All of the view but its geometry, which stays what it was.
   Moment& moment = moments_[now_];
-  moment.view = view;
+  moment.view.tick = view.tick;
+  moment.view.time = view.time;
+  moment.view.ball = view.ball;
+  moment.view.own = view.own;
+  moment.view.opponents = view.opponents;
+  moment.view.game = view.game;
   moment.model = model;
   moment.partition = partition;
 }
@@ -67,20 +74,14 @@ void ValueMap::refresh(const kit::View& view, const kit::BallModel& model, const
                        bool hurry) {
   if (!begun_) return compute(view, model, partition);
   remember(view, model, partition);
-  const int slices = hurry ? slices_in_a_hurry : slices_else;
-  for (int i = static_cast<int>(view.tick % slices); i < grid_points; i += slices) {
-    Entry& entry = entries_[static_cast<std::size_t>(i)];
-    entry.known = Known::Nothing;
-    entry.moment = now_;
-  }
+  const auto slices = static_cast<std::size_t>(hurry ? slices_in_a_hurry : slices_else);
+  for (std::size_t i = static_cast<std::size_t>(view.tick) % slices; i < grid_points; i += slices) forget(i);
 }
 
 void ValueMap::compute(const kit::View& view, const kit::BallModel& model, const Partition& partition) {
+  for (Moment& moment : moments_) moment.view.geometry = view.geometry;
   remember(view, model, partition);
-  for (Entry& entry : entries_) {
-    entry.known = Known::Nothing;
-    entry.moment = now_;
-  }
+  for (std::size_t i = 0; i < grid_points; ++i) forget(i);
   begun_ = true;
 }
 

@@ -40,8 +40,6 @@ class ValueMap {
   };
   enum class Known : std::uint8_t { Nothing, Bound, Pass, Value };
   struct Entry {
-    Known known = Known::Nothing;
-    std::uint8_t moment = 0;
     Point point;      // as far as it is known
     Reception least;  // likewise
     double open = 0;  // P_goal if nobody stood before the goal
@@ -49,14 +47,21 @@ class ValueMap {
 
   void remember(const kit::View& view, const kit::BallModel& model, const Partition& partition);
   const Point& known_as_far_as(Known wanted, int index) const {
-    const Entry& entry = entries_[static_cast<std::size_t>(index)];
-    if (entry.known < wanted) find_out(wanted, index);
-    return entry.point;
+    const auto i = static_cast<std::size_t>(index);
+    if (known_[i] < wanted) find_out(wanted, i);
+    return entries_[i].point;
   }
-  void find_out(Known wanted, int index) const;
+  void find_out(Known wanted, std::size_t index) const;
+  void forget(std::size_t index) {
+    known_[index] = Known::Nothing;
+    moment_of_[index] = now_;
+  }
 
   std::array<Moment, 20> moments_;  // more than a slow round has ticks
   std::uint8_t now_ = 0;
+  // Apart from the entries: looked through in every tick.
+  mutable std::array<Known, grid_points> known_{};
+  std::array<std::uint8_t, grid_points> moment_of_{};
   mutable std::array<Entry, grid_points> entries_{};
   bool begun_ = false;
 };

@@ -12,6 +12,7 @@ struct Edge {
   int change;    // +1 a blocked interval begins, -1 it ends
 };
 constexpr std::size_t most_blockers = 24;
+constexpr double most_covered = 0.25;  // [m] by an opponent while the ball flies (reference "football", 2.5)
 
 // Without target the direction of a closed segment is left 0.
 Opening sweep(const Vector2d& from, const world::Segment& segment, std::span<const Blocker> blockers,
@@ -62,7 +63,7 @@ Opening sweep(const Vector2d& from, const world::Segment& segment, std::span<con
     if (score <= best_score) return;
     best_score = score;
     best.width = end - begin;
-    best.direction = world::wrap_angle(first + turn * 0.5 * (begin + end));
+    if (with_target) best.direction = world::wrap_angle(first + turn * 0.5 * (begin + end));
   };
   int depth = 0;
   double free_from = 0;
@@ -119,23 +120,48 @@ Vector2d goalie_later(const kit::View& view, const kit::Robot& goalie, const Vec
 
 namespace {
 
+// What is seen of a segment from a point: between two directions less than 180 degrees apart.
+class Cone {
+ public:
+  Cone(const Vector2d& from, const world::Segment& segment)
+      : from_(from), first_(segment.from - from), second_(segment.to - from) {
+    if (cross(first_, second_) < 0) std::swap(first_, second_);
+    first_length_ = first_.norm();
+    second_length_ = second_.norm();
+  }
+  bool misses(const Vector2d& position, double radius) const {
+    const Vector2d to = position - from_;
+    return cross(first_, to) < -radius * first_length_ || cross(to, second_) < -radius * second_length_;
+  }
+
+ private:
+  static double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+  Vector2d from_, first_, second_;
+  double first_length_, second_length_;
+};
+
+// Those that are in nobody's way are left out.
 Blockers blockers_before_goal(const kit::View& view, const Vector2d& from, double kick_speed, int shooter,
                               double later) {
   const world::Field& field = view.field();
+  const Cone cone(from, mouth(field));
   Blockers blockers;
   for (const kit::Robot& robot : view.opponents) {
     const Vector2d position = later > 0 && robot.number == view.game.their_keeper
                                   ? goalie_later(view, robot, from, later)
                                   : robot.position;
     if (position.x() < from.x() - 0.3) continue;  // behind the ball
+    const double hull = robot.specs.radius + field.ball_radius;
+    if (cone.misses(position, hull + most_covered)) continue;
     const double flight = (position - from).norm() / std::max(kick_speed, 1.0);
     const double free = std::max(0.0, flight - 0.12);
-    const double covered = std::min(0.5 * robot.specs.max_acceleration * free * free, 0.25);
-    blockers.add(position, robot.specs.radius + field.ball_radius + covered);
+    const double covered = std::min(0.5 * robot.specs.max_acceleration * free * free, most_covered);
+    blockers.add(position, hull + covered);
   }
   for (const kit::Robot& robot : view.own) {
     if (robot.number == shooter || robot.position.x() < from.x() - 0.3) continue;
-    blockers.add(robot.position, robot.specs.radius + field.ball_radius + 0.02);
+    const double radius = robot.specs.radius + field.ball_radius + 0.02;
+    if (!cone.misses(robot.position, radius)) blockers.add(robot.position, radius);
   }
   return blockers;
 }
@@ -152,6 +178,14 @@ double width_to_goal(const kit::View& view, const Vector2d& from, double kick_sp
                      double later) {
   const Blockers blockers = blockers_before_goal(view, from, kick_speed, shooter, later);
   return sweep(from, mouth(view.field()), blockers.span(), {}, 0, false).width;
+}
+
+double width_of_goal(const kit::View& view, const Vector2d& from) {
+  const world::Segment goal = mouth(view.field());
+  const Vector2d a = goal.from - from;
+  const Vector2d b = goal.to - from;
+  // The small number: openings are differences of angles, with rounding errors of their own.
+  return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b)) + 1e-9;
 }
 
 double kick_tolerance(double width) { return std::clamp(0.5 * width, 0.02, 0.1); }

@@ -42,6 +42,9 @@ Opening opening_to_goal(const kit::View& view, const Vector2d& from, double kick
 double width_to_goal(const kit::View& view, const Vector2d& from, double kick_speed, int shooter,
                      double later = 0);
 
+/// The angle at which their goal is seen from there [rad]: no opening is wider, not by the last bit either.
+double width_of_goal(const kit::View& view, const Vector2d& from);
+
 /// Where their goalkeeper will be after `later` seconds when the ball goes to `ball`: on the way from there
 /// to the middle of the goal, as far from the goal as now.
 ///

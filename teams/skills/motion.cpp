@@ -106,7 +106,74 @@ double time_to_rest(double distance, double speed, const Limits& limits) {
   return time + (vm - v) / a + std::max(cruise, 0.0) / vm + vm / b;
 }
 
-Drive::Drive(const Vector2d& to_target, const Vector2d& velocity, const Limits& limits) {
+namespace {
+
+// How two axes share the limits: cosine and sine of an angle.
+struct Split {
+  double along = 1;
+  double across = 0;
+};
+constexpr int cells = 64;  // of the cosine
+
+// The points that halving the cosines from 0.02 to 0.9998 comes upon: where two cells meet after six
+// halvings, and the middle of each cell.
+struct Splits {
+  std::array<Split, cells> border;  // border[k] is below cell k; the first is not used
+  std::array<Split, cells> middle;
+
+  Splits() { halve(0.02, 0.9998, 0, cells); }
+  static const Splits& all() {
+    static const Splits splits;
+    return splits;
+  }
+
+ private:
+  void halve(double low, double high, std::size_t from, std::size_t to) {
+    const double along = 0.5 * (low + high);
+    const Split split{along, std::sqrt(1 - along * along)};
+    if (to - from == 1) {
+      middle[from] = split;
+      return;
+    }
+    const std::size_t half = (from + to) / 2;
+    border[half] = split;
+    halve(low, along, from, half);
+    halve(along, high, half, to);
+  }
+};
+
+// The cell in which `is_later` turns from true to false, looked for around a guess and then by halving.
+template <class IsLater>
+int cell_where(int guess, const IsLater& is_later) {
+  const auto above = [&](int border) {
+    return is_later(Splits::all().border[static_cast<std::size_t>(border)]);
+  };
+  int low = 0;
+  int high = cells - 1;
+  guess = std::clamp(guess, low, high);
+  for (int step = 1; low < high && guess > low && guess <= high; step *= 4) {
+    if (above(guess)) {
+      low = guess;
+      guess += step;
+    } else {
+      high = guess - 1;
+      guess -= step;
+    }
+  }
+  while (low < high) {
+    const int border = (low + high + 1) / 2;
+    if (above(border)) {
+      low = border;
+    } else {
+      high = border - 1;
+    }
+  }
+  return low;
+}
+
+}  // namespace
+
+Drive::Drive(const Vector2d& to_target, const Vector2d& velocity, const Limits& limits, int* cell) {
   const double distance = to_target.norm();
   const double speed = velocity.norm();
   if (distance > 1e-6) {
@@ -122,16 +189,17 @@ Drive::Drive(const Vector2d& to_target, const Vector2d& velocity, const Limits& 
   double along = 1;  // cosine of the angle that splits the limits
   double across = 0.02;
   if (std::abs(v_across) > 0.01) {
-    // T_along falls and T_across rises with the cosine: halve on their difference.
-    double low = 0.02;
-    double high = 0.9998;
-    for (int i = 0; i < 7; ++i) {
-      along = 0.5 * (low + high);
-      across = std::sqrt(1 - along * along);
-      const bool along_is_later =
-          time_to_rest(distance, v_along, share(along)) > time_to_rest(0, v_across, share(across));
-      (along_is_later ? low : high) = along;
-    }
+    // T_along falls and T_across rises with the cosine.
+    const auto along_is_later = [&](const Split& split) {
+      return time_to_rest(distance, v_along, share(split.along)) >
+             time_to_rest(0, v_across, share(split.across));
+    };
+    int none = 0;
+    int& found = cell != nullptr ? *cell : none;
+    found = cell_where(found, along_is_later);
+    const Split& split = Splits::all().middle[static_cast<std::size_t>(found)];
+    along = split.along;
+    across = split.across;
   }
   along_ = Profile(distance, v_along, share(along));
   across_ = Profile(0, v_across, share(across));

@@ -57,7 +57,9 @@ double time_to_rest(double distance, double speed, const Limits& limits);
 ///           rest drives straight.
 class Drive {
  public:
-  Drive(const Vector2d& to_target, const Vector2d& velocity, const Limits& limits);
+  /// @param cell  in: where to look first, as that of the tick before; out: what was found. The same motion
+  ///              with every guess, in fewer steps with a good one.
+  Drive(const Vector2d& to_target, const Vector2d& velocity, const Limits& limits, int* cell = nullptr);
 
   double duration() const { return std::max(along_.duration(), across_.duration()); }
   Vector2d position(double time) const;  ///< from the start [m]

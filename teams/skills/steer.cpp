@@ -88,7 +88,9 @@ world::RobotCommand Steering::command(const kit::View& view, const kit::Robot& r
   Limits limits = driving_limits(robot.specs);
   limits.speed = std::min(limits.speed, order.max_speed);
   Vector2d velocity = Vector2d::Zero();
-  int& side = side_[std::min<std::size_t>(robot.number, side_.size() - 1)];
+  const std::size_t index = std::min<std::size_t>(robot.number, side_.size() - 1);
+  int& side = side_[index];
+  int& cell = cells_[index];
   if (order.velocity) {
     velocity = *order.velocity;
   } else {
@@ -99,7 +101,7 @@ world::RobotCommand Steering::command(const kit::View& view, const kit::Robot& r
     const double distance = to_via.norm();
     // Beyond the corner the way goes on: no braking for the corner itself.
     const Vector2d straightened = distance > 1e-6 ? Vector2d(to_via * (path.length / distance)) : to_via;
-    velocity = Drive(straightened, robot.velocity, limits).velocity(world::tick_length);
+    velocity = Drive(straightened, robot.velocity, limits, &cell).velocity(world::tick_length);
   }
   if (order.robot_margin >= 0) velocity = without_collisions(view, robot, velocity, order.robot_margin * 0.5);
   if (!order.enter_own_area) velocity = outside_area(view, robot, world::Side::Negative, velocity, 0.01);

@@ -10,13 +10,14 @@ namespace skills {
 
 /// Turns orders into commands: path round obstacles, time-optimal velocity along it, brakes before others.
 ///
-/// Remembers, per robot, on which side it passes its present obstacle; nothing else.
+/// Remembers, per robot, on which side it passes its present obstacle; nothing else that matters.
 class Steering {
  public:
   world::RobotCommand command(const kit::View& view, const kit::Robot& robot, const Order& order);
 
  private:
   std::array<int, world::max_robot_number + 1> side_{};
+  std::array<int, world::max_robot_number + 1> cells_{};  // of Drive: where to look first, no more
 };
 
 /// Takes from a velocity what would run into another robot: towards it at most as fast as can still be

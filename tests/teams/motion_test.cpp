@@ -69,6 +69,21 @@ TEST(Drive, ArrivesWithBothAxesTogether) {
   }
 }
 
+TEST(Drive, IsTheSameWithEveryGuess) {
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> way(-5, 5), speed(-3.5, 3.5);
+  for (int i = 0; i < 300; ++i) {
+    const Vector2d to(way(engine), way(engine)), velocity(speed(engine), speed(engine));
+    int found = 0;
+    const Vector2d wanted = Drive(to, velocity, limits, &found).velocity(0.02);
+    for (int guess = -1; guess <= 64; ++guess) {
+      int cell = guess;
+      EXPECT_EQ(Drive(to, velocity, limits, &cell).velocity(0.02), wanted) << guess;
+      EXPECT_EQ(cell, found);
+    }
+  }
+}
+
 TEST(Drive, FromRestGoesStraightInTheTimeOfOneAxis) {
   const Drive drive({3, 4}, {0, 0}, limits);
   // 2 %: the axis across keeps a share of 0.02 of the limits, the axis along has them all.
