@@ -114,8 +114,12 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   }
   const Vector2d from = ahead.position();
   const world::Segment path{from, from + ahead.velocity() * dt};
+  const double near =
+      ahead.velocity().norm() * dt + field_.robot_radius + field_.ball_radius + params_.near_gap;
   const bool near_robot = std::ranges::any_of(robots, [&](const world::TrackedRobot& robot) {
-    return hull_gap(field_, robot, path) < params_.near_gap;
+    // Most are farther than the whole path is long.
+    return (robot.position - from).squaredNorm() < near * near * (1 + 1e-9) &&
+           hull_gap(field_, robot, path) < params_.near_gap;
   });
   if (!hidden) ahead.predict(dt, near_robot);
 

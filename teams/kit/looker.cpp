@@ -33,12 +33,17 @@ Vector2d driven(const Vector2d& velocity, Vector2d asked, const Vector2d& forwar
     const double b = (forward.x() * direction.y() - forward.y() * direction.x()) / across;
     return 1 / std::sqrt(a * a + b * b);
   };
-  const double speed = asked.norm();
-  if (speed > 1e-9) {
+  const double slowest = std::min(specs.max_speed, specs.max_speed_sideways);
+  if (asked.squaredNorm() > slowest * slowest) {
+    const double speed = asked.norm();
     const double fastest = radius(asked / speed, specs.max_speed, specs.max_speed_sideways);
     if (speed > fastest) asked *= fastest / speed;
   }
   const Vector2d change = asked - velocity;
+  // What is possible in every direction, as most changes are, needs no more thought.
+  const double always = dt * std::min({specs.max_acceleration, specs.max_acceleration_sideways,
+                                       specs.max_brake, specs.max_brake_sideways});
+  if (change.squaredNorm() <= always * always) return asked;
   const double size = change.norm();
   if (size < 1e-9) return asked;
   const Vector2d towards = change / size;

@@ -52,7 +52,7 @@ double goal_chance(const kit::View& view, const Vector2d& point, double shot_spe
 double redirect_share(const kit::View& view, const Vector2d& from, const Vector2d& point) {
   const Vector2d in = from - point;
   const Vector2d out = view.their_goal() - point;
-  const double cosine = in.dot(out) / std::max(in.norm() * out.norm(), 1e-9);
+  const double cosine = in.dot(out) / std::max(std::sqrt(in.squaredNorm() * out.squaredNorm()), 1e-9);
   // cos 60 = 0.5, cos 120 = -0.5; linear in the cosine between.
   return 0.4 + 0.6 * std::clamp(cosine + 0.5, 0.0, 1.0);
 }

@@ -14,18 +14,23 @@ struct Edge {
 constexpr std::size_t most_blockers = 24;
 constexpr double most_covered = 0.25;  // [m] by an opponent while the ball flies (reference "football", 2.5)
 
-// Without target the direction of a closed segment is left 0.
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Without target and preference only the width is found.
 Opening sweep(const Vector2d& from, const world::Segment& segment, std::span<const Blocker> blockers,
               std::optional<double> preferred, double bonus, bool with_target) {
-  const double first = world::angle_of(segment.from - from);
-  double span = world::wrap_angle(world::angle_of(segment.to - from) - first);
-  const double turn = span < 0 ? -1.0 : 1.0;
-  span = std::abs(span);
-  const Vector2d normal = world::rotated(segment.to - segment.from, M_PI / 2);
+  const Vector2d to_first = segment.from - from;
+  const Vector2d to_second = segment.to - from;
+  const double wide = cross(to_first, to_second);
+  const double turn = wide < 0 ? -1.0 : 1.0;
+  const double span = std::atan2(turn * wide, to_first.dot(to_second));
+  const bool with_direction = with_target || preferred;
+  const double first = with_direction ? world::angle_of(to_first) : 0;
+  const Vector2d normal(segment.from.y() - segment.to.y(), segment.to.x() - segment.from.x());
   const double side = (from - segment.from).dot(normal);
 
-  const Vector2d edge_first = (segment.from - from).normalized();
-  const Vector2d edge_second = (segment.to - from).normalized();
+  const Vector2d edge_first = to_first.normalized();
+  const Vector2d edge_second = to_second.normalized();
   std::array<Edge, 2 * most_blockers> edges;
   std::size_t count = 0;
   for (const Blocker& blocker : blockers) {
@@ -34,12 +39,12 @@ Opening sweep(const Vector2d& from, const world::Segment& segment, std::span<con
     if ((blocker.position - segment.from).dot(normal) * side < 0) continue;
     const Vector2d to = blocker.position - from;
     // Wholly outside the cone (most are): no angles needed.
-    const double past_first = turn * (edge_first.x() * to.y() - edge_first.y() * to.x());
-    const double past_second = -turn * (edge_second.x() * to.y() - edge_second.y() * to.x());
+    const double past_first = turn * cross(edge_first, to);
+    const double past_second = -turn * cross(edge_second, to);
     if (past_first < -blocker.radius || past_second < -blocker.radius) continue;
     const double distance = to.norm();
     const double half = distance <= blocker.radius ? M_PI / 2 : std::asin(blocker.radius / distance);
-    const double middle = turn * world::wrap_angle(world::angle_of(to) - first);
+    const double middle = std::atan2(past_first, edge_first.dot(to));
     const double begin = std::max(middle - half, 0.0);
     const double end = std::min(middle + half, span);
     if (begin >= end) continue;
@@ -63,7 +68,7 @@ Opening sweep(const Vector2d& from, const world::Segment& segment, std::span<con
     if (score <= best_score) return;
     best_score = score;
     best.width = end - begin;
-    if (with_target) best.direction = world::wrap_angle(first + turn * 0.5 * (begin + end));
+    if (with_direction) best.direction = world::wrap_angle(first + turn * 0.5 * (begin + end));
   };
   int depth = 0;
   double free_from = 0;
@@ -135,7 +140,6 @@ class Cone {
   }
 
  private:
-  static double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
   Vector2d from_, first_, second_;
   double first_length_, second_length_;
 };
@@ -185,7 +189,7 @@ double width_of_goal(const kit::View& view, const Vector2d& from) {
   const Vector2d a = goal.from - from;
   const Vector2d b = goal.to - from;
   // The small number: openings are differences of angles, with rounding errors of their own.
-  return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b)) + 1e-9;
+  return std::atan2(std::abs(cross(a, b)), a.dot(b)) + 1e-9;
 }
 
 double kick_tolerance(double width) { return std::clamp(0.5 * width, 0.02, 0.1); }

@@ -83,8 +83,7 @@ double time_to_rest(double distance, double speed, const Limits& limits) {
   const double vm = limits.speed;
   const double a = limits.acceleration;
   const double b = limits.brake;
-  const double stop = speed * std::abs(speed) / (2 * b);
-  const double sign = distance < stop ? -1.0 : 1.0;
+  const double sign = 2 * b * distance < speed * std::abs(speed) ? -1.0 : 1.0;  // braking ends beyond it
   double d = sign * distance;
   double v = sign * speed;
   double time = 0;
@@ -190,9 +189,16 @@ Drive::Drive(const Vector2d& to_target, const Vector2d& velocity, const Limits& 
   double across = 0.02;
   if (std::abs(v_across) > 0.01) {
     // T_along falls and T_across rises with the cosine.
+    // Across the line it brakes, comes back and brakes: with a share c of the limits that takes across_time /
+    // c, and no more speed than the peak while the limit of the speed is above.
+    const double a = limits.acceleration, b = limits.brake;
+    const double peak = std::abs(v_across) * std::sqrt(a / (a + b));
+    const double across_time = std::abs(v_across) / b + peak / a + peak / b;
     const auto along_is_later = [&](const Split& split) {
-      return time_to_rest(distance, v_along, share(split.along)) >
-             time_to_rest(0, v_across, share(split.across));
+      const double time = peak <= limits.speed * split.across
+                              ? across_time / split.across
+                              : time_to_rest(0, v_across, share(split.across));
+      return time_to_rest(distance, v_along, share(split.along)) > time;
     };
     int none = 0;
     int& found = cell != nullptr ? *cell : none;

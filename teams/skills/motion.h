@@ -58,7 +58,8 @@ double time_to_rest(double distance, double speed, const Limits& limits);
 class Drive {
  public:
   /// @param cell  in: where to look first, as that of the tick before; out: what was found. The same motion
-  ///              with every guess, in fewer steps with a good one.
+  ///              with every guess, in fewer steps with a good one; only when the robot is much faster than
+  ///              `limits` (STOP began) there may be two splits, and a guess can choose.
   Drive(const Vector2d& to_target, const Vector2d& velocity, const Limits& limits, int* cell = nullptr);
 
   double duration() const { return std::max(along_.duration(), across_.duration()); }

@@ -18,8 +18,7 @@ const Disc* first_in_the_way(const Vector2d& from, const Vector2d& to, const Obs
   const Vector2d along = way / length;
   const Disc* first = nullptr;
   double nearest = length;
-  for (std::size_t i = 0; i < obstacles.count; ++i) {
-    const Disc& disc = obstacles.discs[i];
+  for (const Disc& disc : obstacles.discs) {
     const Vector2d to_center = disc.center - from;
     const double forward = to_center.dot(along);
     if (forward <= 0) continue;
@@ -47,8 +46,7 @@ Vector2d way_out(const Vector2d& from, const Disc& disc, const Obstacles& obstac
   const Vector2d away = off.norm() > 1e-6 ? Vector2d(off.normalized()) : Vector2d(1, 0);
   const auto is_free = [&](const Vector2d& place) {
     if (std::abs(place.x()) > obstacles.walls.x() || std::abs(place.y()) > obstacles.walls.y()) return false;
-    for (std::size_t i = 0; i < obstacles.count; ++i) {
-      const Disc& other = obstacles.discs[i];
+    for (const Disc& other : obstacles.discs) {
       if (&other != &disc && other.wide && (place - other.center).norm() < other.radius) return false;
     }
     return true;
@@ -82,12 +80,14 @@ Obstacles obstacles_for(const kit::View& view, const kit::Robot& robot, const Or
   obstacles.walls = {field.half_length() + run_off, field.half_width() + run_off};
   if (order.robot_margin >= 0) {
     const double speed = std::max(1.5, robot.velocity.norm());
+    constexpr double longest = 0.4;  // [s] nobody drives straight on for longer
+    const double far = longest * speed;
     for (const auto* robots : {&view.own, &view.opponents}) {
       for (const kit::Robot& other : *robots) {
         if (robots == &view.own && other.number == robot.number) continue;
-        const double distance = (other.position - robot.position).norm();
-        // Where it will be when we are there, but nobody drives straight on for long.
-        const double time = std::min(distance / speed, 0.4);
+        const double distance_square = (other.position - robot.position).squaredNorm();
+        // Where it will be when we are there.
+        const double time = distance_square >= far * far ? longest : std::sqrt(distance_square) / speed;
         const double margin = order.robot_margin + std::min(0.1 * time, 0.05);
         obstacles.add({other.position + other.velocity * time, own_radius + other.specs.radius + margin});
       }
@@ -116,13 +116,11 @@ Obstacles obstacles_for(const kit::View& view, const kit::Robot& robot, const Or
 
 Path find_path(const Vector2d& from, const Vector2d& wanted, const Obstacles& obstacles, int side_before) {
   Vector2d to = wanted;
-  for (std::size_t i = 0; i < obstacles.count; ++i) {
-    const Disc& disc = obstacles.discs[i];
+  for (const Disc& disc : obstacles.discs) {
     if (disc.strict && (to - disc.center).norm() < disc.radius) to = way_out(to, disc, obstacles);
   }
   // Out of an area first.
-  for (std::size_t i = 0; i < obstacles.count; ++i) {
-    const Disc& disc = obstacles.discs[i];
+  for (const Disc& disc : obstacles.discs) {
     if (!disc.wide) continue;
     const Vector2d out = from - disc.center;
     const double depth = disc.radius - out.norm();
@@ -142,8 +140,7 @@ Path find_path(const Vector2d& from, const Vector2d& wanted, const Obstacles& ob
       const Vector2d via = tangent_point(from, *disc, side);
       const double length = (via - from).norm() + (goal - via).norm() + behind_goal;
       double cost = length;
-      for (std::size_t i = 0; i < obstacles.count; ++i) {
-        const Disc& other = obstacles.discs[i];
+      for (const Disc& other : obstacles.discs) {
         if (&other != disc && (via - other.center).norm() < other.radius) cost += 0.5;
       }
       if (std::abs(via.x()) > obstacles.walls.x() || std::abs(via.y()) > obstacles.walls.y()) {

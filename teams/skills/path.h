@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include <boost/container/static_vector.hpp>
 
 #include "teams/kit/view.h"
 #include "teams/skills/order.h"
@@ -18,11 +17,10 @@ struct Disc {
 
 /// A short list without allocation.
 struct Obstacles {
-  std::array<Disc, 32> discs;
-  std::size_t count = 0;
+  boost::container::static_vector<Disc, 32> discs;
   Vector2d walls = Vector2d::Constant(1e3);  ///< [m] a robot's centre stays within +- this
   void add(const Disc& disc) {
-    if (count < discs.size()) discs[count++] = disc;
+    if (discs.size() < discs.capacity()) discs.push_back(disc);
   }
 };
 

@@ -74,12 +74,12 @@ TEST(Drive, IsTheSameWithEveryGuess) {
   std::uniform_real_distribution<double> way(-5, 5), speed(-3.5, 3.5);
   for (int i = 0; i < 300; ++i) {
     const Vector2d to(way(engine), way(engine)), velocity(speed(engine), speed(engine));
-    int found = 0;
-    const Vector2d wanted = Drive(to, velocity, limits, &found).velocity(0.02);
+    const Drive wanted(to, velocity, limits);
     for (int guess = -1; guess <= 64; ++guess) {
       int cell = guess;
-      EXPECT_EQ(Drive(to, velocity, limits, &cell).velocity(0.02), wanted) << guess;
-      EXPECT_EQ(cell, found);
+      const Drive drive(to, velocity, limits, &cell);
+      EXPECT_EQ(drive.velocity(0.02), wanted.velocity(0.02)) << guess;
+      EXPECT_EQ(drive.duration(), wanted.duration()) << guess;
     }
   }
 }
