@@ -8,7 +8,7 @@
 namespace reference {
 namespace {
 
-constexpr int think_every = 6;      // ticks: 10 Hz
+constexpr int think_every = 12;     // ticks: 5 Hz
 constexpr int think_rarely = 30;    // while places are kept
 constexpr double kept_after = 1.0;  // [s] of a stoppage: places in it are chosen by then (reference_team)
 constexpr double replan = 1.0;      // [s] (reference "football", 2.10)

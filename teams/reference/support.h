@@ -17,7 +17,8 @@ namespace reference {
 ///
 /// With zones the table says which zone belongs to whom, each robot reacts to the opponents inside its own,
 /// and a pass may go to the best point of the zone. Greedy, each takes the best point of all in the order of
-/// the numbers, and passes go to those. Nothing else differs. Each robot chooses at 10 Hz, staggered.
+/// the numbers, and passes go to those. Nothing else differs. Each robot chooses at 5 Hz, staggered,
+/// at 2 Hz while places are kept in a stoppage.
 class Supports {
  public:
   /// Chooses places and targets of this tick for the robots with the role Support.

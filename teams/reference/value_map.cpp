@@ -3,7 +3,7 @@
 namespace reference {
 namespace {
 
-constexpr int slices_in_a_hurry = 6;  // ticks: 10 Hz
+constexpr int slices_in_a_hurry = 12;  // ticks: 5 Hz
 constexpr int slices_else = 18;
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace reference {
 
-/// V(q) without P_reach over the grid of the partition; all of it new every 0.1 s, a sixth each tick, or
+/// V(q) without P_reach over the grid of the partition; all of it new every 0.2 s, a twelfth each tick, or
 /// every 0.3 s while there is no hurry.
 ///
 /// Both ways of attacking look at the same map. A point is worked out when it is first asked for, from the

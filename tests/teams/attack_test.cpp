@@ -217,12 +217,12 @@ TEST(ValueMap, IsMirroredWithTheWorld) {
   }
 }
 
-TEST(ValueMap, IsNewAfterSixTicksInAHurry) {
+TEST(ValueMap, IsNewAfterTwelveTicksInAHurry) {
   Choosing c;
   c.view.opponents[1].position = {2.0, -0.8};
   ValueMap whole;
   whole.compute(c.view, model, c.partition);
-  for (int i = 0; i < 6; ++i, ++c.view.tick) c.map.refresh(c.view, model, c.partition, true);
+  for (int i = 0; i < 12; ++i, ++c.view.tick) c.map.refresh(c.view, model, c.partition, true);
   for (int i = 0; i < grid_points; ++i) EXPECT_EQ(c.map.at(i).value, whole.at(i).value);
 }
 
@@ -247,7 +247,7 @@ TEST(ValueMap, IsAsOldAsItsTickWheneverItIsAskedFor) {
     for (Choosing* c : {&lazy, &eager}) {
       for (int i = 0; i < later; ++i) {
         c->view.opponents[1].position.x() += 0.05;
-        c->view.tick += 12;  // always the first sixth's turn
+        c->view.tick += 12;  // always the first twelfth's turn
         c->map.refresh(c->view, model, c->partition, true);
         if (c == &eager) c->map.at(0);
       }
