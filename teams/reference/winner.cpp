@@ -52,6 +52,11 @@ void Winner::choose(const kit::View& view, const Situation& situation, const kit
     released_at_ = -9;
     chosen_at_ = -1;
   }
+  if (rules.given) {
+    choice_ = rules.given;
+    chosen_at_ = view.time;
+    return;
+  }
   const bool committed = rules.must_kick && (view.ball.position - robot.position).norm() < at_the_ball;
   if (choice_ && view.time - chosen_at_ < (committed ? stands_by_it : rethink)) return;
   choice_ = choose_kick(view, situation, robot.number, rules, parameters, choice_);

@@ -472,18 +472,18 @@ TEST(SetPlay, CornerPlacesAreLegalApartAndMirrored) {
   const kit::View left = restart(kit::Phase::DirectFree, {4.4, 2.9});
   const kit::View right = restart(kit::Phase::DirectFree, {4.4, -2.9});
   for (int i = 0; i < 3; ++i) {
-    const auto place = set_play_place(left, i, 3);
+    const auto place = set_play_place(left, i);
     ASSERT_TRUE(place);
     EXPECT_TRUE(may_wait_at(left, *place)) << i;
-    EXPECT_LT((mirrored(*place) - *set_play_place(right, i, 3)).norm(), 1e-12);
-    for (int j = 0; j < i; ++j) EXPECT_GT((*place - *set_play_place(left, j, 3)).norm(), 0.8);
+    EXPECT_LT((mirrored(*place) - *set_play_place(right, i)).norm(), 1e-12);
+    for (int j = 0; j < i; ++j) EXPECT_GT((*place - *set_play_place(left, j)).norm(), 0.8);
   }
 }
 
 TEST(SetPlay, KickoffRunnersWaitInOurHalfAndGetTheBallInTheirs) {
   const kit::View view = restart(kit::Phase::Kickoff, {0, 0});
   for (int i = 0; i < 2; ++i) {
-    const auto place = set_play_place(view, i, 2);
+    const auto place = set_play_place(view, i);
     ASSERT_TRUE(place);
     EXPECT_LT(place->x(), -field.robot_radius);
     const Vector2d target = set_play_target(view, *place);
