@@ -13,7 +13,7 @@ enum class SetPlay : std::uint8_t { None, Kickoff, Corner, GoalKick, NeutralStar
 const char* name(SetPlay play);
 
 /// Which of them this is. A corner: the ball lies within 0.6 m of their goal line and 1 m of a touch line. A
-/// goal kick: our free kick from within 1.5 m of our goal line. A neutral start (anybody's): the ball still
+/// goal kick: our free kick from within a metre of our goal line. A neutral start (anybody's): the ball still
 /// lies where it lay when the referee let both play it.
 SetPlay set_play(const kit::View& view);
 

@@ -508,7 +508,7 @@ TEST(SetPlay, TheKickoffIsTappedForwardToTheRobotBesideTheBall) {
 
 TEST(SetPlay, AGoalKickIsOursNearOurGoalLine) {
   EXPECT_EQ(set_play(restart(kit::Phase::DirectFree, {-4.0, 2.9})), SetPlay::GoalKick);
-  EXPECT_EQ(set_play(restart(kit::Phase::IndirectFree, {-3.4, -2.9})), SetPlay::GoalKick);
+  EXPECT_EQ(set_play(restart(kit::Phase::IndirectFree, {-3.6, -2.9})), SetPlay::GoalKick);
   EXPECT_EQ(set_play(restart(kit::Phase::DirectFree, {-2.0, 2.9})), SetPlay::None);
   kit::View theirs = restart(kit::Phase::DirectFree, {-4.0, 2.9});
   theirs.game.ours = false;
