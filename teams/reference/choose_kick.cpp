@@ -144,13 +144,16 @@ Kick choose_kick(const kit::View& view, const Situation& situation, int kicker_n
   if (rules.shot_allowed) {
     if (const auto kick = shot(view, kicker_number, parameters, before)) best = *kick;
   }
-  const double threshold = rules.must_kick ? 0.04 : parameters.pass_threshold;
+  const double threshold = rules.must_kick && !rules.otherwise ? 0.04
+                           : rules.otherwise                   ? 0.06
+                                                               : parameters.pass_threshold;
   const kit::Robot* kicker = kit::find(view.own, kicker_number);
   for (const kit::Robot& mate : view.own) {
     if (kicker == nullptr || mate.number == kicker_number || mate.number == view.game.own_keeper) continue;
     const auto given =
         std::find_if(rules.targets.begin(), rules.targets.end(),
                      [&mate](const PassTarget& target) { return target.receiver == mate.number; });
+    if (rules.only_targets && given == rules.targets.end()) continue;
     // Without a place of its own: where it is going, and a little towards their goal.
     const Vector2d target = given != rules.targets.end()
                                 ? given->point
@@ -163,6 +166,7 @@ Kick choose_kick(const kit::View& view, const Situation& situation, int kicker_n
   }
   if (best.value > 0) return best;
 
+  if (rules.otherwise) return *rules.otherwise;
   const double hurry = situation.their_time;
   if (!rules.must_kick && (hurry > 0.7 || ball.x() > 1.0)) {
     // Nobody near: carry it forward, a little towards the middle in front of their goal.

@@ -35,6 +35,11 @@ struct KickRules {
   bool shot_allowed = true;      ///< false: an indirect kick
   bool must_go_forward = false;  ///< a kickoff
   bool must_kick = false;        ///< a restart: no dribbling
+  bool only_targets = false;     ///< passes go to `targets` and to nobody else
+  /// A set play that says the kick itself: nothing is left to choose.
+  std::optional<Kick> given{};
+  /// What to do in place of a pass of less value than usual, or of a clearance.
+  std::optional<Kick> otherwise{};
   /// Points for the receivers; a team-mate without one may get the ball where it is.
   std::span<const PassTarget> targets{};
 };

@@ -12,11 +12,27 @@ constexpr double keeps_mark = 0.2;      // [s] reference "football", 2.7
 constexpr double urgent_threat = 1.3;   // [s] pass and shot together (ours)
 constexpr std::size_t most_urgent = 3;  // more than that the wall's second robot does not wait for (ours)
 
+constexpr double wall_aside = 0.15;  // [m] on the goal line (ours)
+constexpr double goalie_aside =
+    0.2;  // [m] of the goalie from the line to the goal's middle, from which it is all
+
+// Where on the goal line [m from its middle] a single robot in the wall aims: the half that the goalie has
+// not.
+double beside_goalie(const kit::View& view) {
+  const kit::Robot* goalie = kit::find(view.own, view.game.own_keeper);
+  if (goalie == nullptr) return 0;
+  const Vector2d home = view.own_goal() - view.ball.position;
+  const Vector2d across = Vector2d(home.y(), -home.x()).normalized();  // +y for a ball in front of the goal
+  const double off = (goalie->position - view.ball.position).dot(across);
+  return -wall_aside * std::clamp(off / goalie_aside, -1.0, 1.0);
+}
+
 }  // namespace
 
 Vector2d wall_position(const kit::View& view, int index, int count) {
   const world::Field& field = view.field();
-  const Vector2d goal = view.own_goal();
+  const double aside = count == 1 ? beside_goalie(view) : 0;
+  const Vector2d goal = view.own_goal() + Vector2d(0, aside);
   Vector2d to_ball = view.ball.position - goal;
   if (to_ball.x() < 0.1) to_ball.x() = 0.1;
   const Vector2d along = to_ball.normalized();

@@ -45,6 +45,9 @@ skills::Order play_defender(const kit::View& view, const kit::Robot& robot, cons
 
 /// A place in the wall: on the line from the ball to our goal just outside the defense area, `index` of
 /// `count` robots side by side.
+///
+/// A single robot stands up to 0.15 m (at the goal) to the side the goalie leaves: behind each other, the two
+/// would leave both sides open.
 Vector2d wall_position(const kit::View& view, int index, int count);
 
 /// How dangerous an opponent without the ball is [s]: the time a pass to it and a shot from it would take;

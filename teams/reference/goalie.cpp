@@ -14,8 +14,9 @@ namespace {
 
 constexpr double nearest_out =
     0.25;  // [m] of the guarding goalie to the goal line, on the ball's line (ours)
-constexpr double farthest_out = 0.8;    // [m] farther out a pass across finds the goal empty (ours)
-constexpr double safe_pass = 0.75;      // [0..1] from which a clearance is a pass (ours)
+constexpr double farthest_out = 0.8;  // [m] farther out a pass across finds the goal empty (ours)
+constexpr double beside_post = 0.5;  // [m] out on a flank the line to the ball leaves the goal's width (ours)
+constexpr double safe_pass = 0.75;   // [0..1] from which a clearance is a pass (ours)
 constexpr double clearing_speed = 4.2;  // [m/s] a chip at 45 degrees: 1.8 m through the air; more rolls off
 
 // The ball rolls towards our goal mouth: where its line crosses the goal line, or nothing.
@@ -88,7 +89,7 @@ Vector2d guard_position(const kit::View& view, const kit::Robot& robot) {
       cut +
       out / distance * std::min(std::clamp(distance - closes, nearest_out, farthest_out), distance * 0.7);
   place.x() = std::max(place.x(), goal.x() + robot.specs.radius + 0.02);
-  place.y() = std::clamp(place.y(), -half, half);
+  place.y() = std::clamp(place.y(), -half - beside_post, half + beside_post);
   return place;
 }
 

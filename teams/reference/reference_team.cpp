@@ -138,6 +138,7 @@ skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation
     case Phase::PreparePenalty:
       return wait_behind_ball(view, robot);
     case Phase::Kickoff:
+      rules.given = set_kick(view, rules.targets);
       rules.must_kick = true;
       rules.must_go_forward = true;
       return winner_.play(view, situation, robot, rules, parameters_);
@@ -148,6 +149,10 @@ skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation
       if (game.age < parameters_.kick_delay) return wait_behind_ball(view, robot);
       rules.must_kick = true;
       rules.shot_allowed = game.phase == Phase::DirectFree;
+      if (set_play(view) == SetPlay::GoalKick) {
+        rules.only_targets = true;
+        rules.otherwise = long_goal_kick(view);
+      }
       return winner_.play(view, situation, robot, rules, parameters_);
     }
     default:

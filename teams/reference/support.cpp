@@ -84,7 +84,7 @@ void Supports::think(const kit::View& view, const Situation& situation, const Ro
   for (std::size_t i = 0; i < count; ++i) {
     const kit::Robot& robot = *robots[i];
     Member& member = of(robot.number);
-    member.set_place = set_play_place(view, static_cast<int>(i), static_cast<int>(count));
+    member.set_place = set_play_place(view, static_cast<int>(i));
     member.expected = coming && coming->kind == Kick::Kind::Pass && coming->receiver == robot.number;
     const Chooser waiting{&robot, kick_time, member.place.grid};
     const Chooser receiving{&robot, kick_time, member.expected ? member.target.grid : -1};
@@ -98,7 +98,7 @@ void Supports::think(const kit::View& view, const Situation& situation, const Ro
         member.target = member.place;
       }
     }
-    if (member.set_place) {
+    if (member.set_place && set_play(view) != SetPlay::NeutralStart) {
       targets_[target_count_++] = {robot.number, set_play_target(view, *member.set_place)};
     } else if (member.place.grid >= 0 && set_play(view) != SetPlay::Kickoff) {
       targets_[target_count_++] = {robot.number, member.target.position};

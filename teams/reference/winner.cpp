@@ -14,6 +14,10 @@ namespace {
 
 // [s] A choice stands this long unless the ball is lost; 10 Hz is often enough (reference "football", 2.8).
 constexpr double rethink = 0.1;
+// [s] But at a restart, once it is at the ball: as long as going round it and kicking takes. The more the
+// kicker has turned to one receiver, the sooner the ball would come to it, and the better the other looked.
+constexpr double stands_by_it = 1.5;
+constexpr double at_the_ball = 0.35;  // [m]
 
 // A slow ball is gone to, a faster one is let come [m/s].
 constexpr double slow_ball = 0.6;
@@ -48,7 +52,13 @@ void Winner::choose(const kit::View& view, const Situation& situation, const kit
     released_at_ = -9;
     chosen_at_ = -1;
   }
-  if (choice_ && view.time - chosen_at_ < rethink) return;
+  if (rules.given) {
+    choice_ = rules.given;
+    chosen_at_ = view.time;
+    return;
+  }
+  const bool committed = rules.must_kick && (view.ball.position - robot.position).norm() < at_the_ball;
+  if (choice_ && view.time - chosen_at_ < (committed ? stands_by_it : rethink)) return;
   choice_ = choose_kick(view, situation, robot.number, rules, parameters, choice_);
   chosen_at_ = view.time;
 }

@@ -472,24 +472,97 @@ TEST(SetPlay, CornerPlacesAreLegalApartAndMirrored) {
   const kit::View left = restart(kit::Phase::DirectFree, {4.4, 2.9});
   const kit::View right = restart(kit::Phase::DirectFree, {4.4, -2.9});
   for (int i = 0; i < 3; ++i) {
-    const auto place = set_play_place(left, i, 3);
+    const auto place = set_play_place(left, i);
     ASSERT_TRUE(place);
     EXPECT_TRUE(may_wait_at(left, *place)) << i;
-    EXPECT_LT((mirrored(*place) - *set_play_place(right, i, 3)).norm(), 1e-12);
-    for (int j = 0; j < i; ++j) EXPECT_GT((*place - *set_play_place(left, j, 3)).norm(), 0.8);
+    EXPECT_LT((mirrored(*place) - *set_play_place(right, i)).norm(), 1e-12);
+    for (int j = 0; j < i; ++j) EXPECT_GT((*place - *set_play_place(left, j)).norm(), 0.8);
   }
 }
 
 TEST(SetPlay, KickoffRunnersWaitInOurHalfAndGetTheBallInTheirs) {
   const kit::View view = restart(kit::Phase::Kickoff, {0, 0});
   for (int i = 0; i < 2; ++i) {
-    const auto place = set_play_place(view, i, 2);
+    const auto place = set_play_place(view, i);
     ASSERT_TRUE(place);
     EXPECT_LT(place->x(), -field.robot_radius);
     const Vector2d target = set_play_target(view, *place);
     // Forward enough that the kicker behind the ball stays in its half.
     EXPECT_GT(target.x(), 0.5 * target.norm());
   }
+}
+
+TEST(SetPlay, TheKickoffIsTappedForwardToTheRobotBesideTheBall) {
+  const kit::View view = restart(kit::Phase::Kickoff, {0, 0});
+  const Vector2d beside = *set_play_place(view, 0), wing = *set_play_place(view, 1);
+  const std::array<PassTarget, 2> targets{PassTarget{3, set_play_target(view, wing)},
+                                          PassTarget{2, set_play_target(view, beside)}};
+  const auto tap = set_kick(view, targets);
+  ASSERT_TRUE(tap);
+  EXPECT_EQ(tap->receiver, 2);
+  // The kicker behind the ball stays in its half, and the laws want the ball forward.
+  EXPECT_GT(std::cos(tap->direction), 0.5);
+  EXPECT_FALSE(set_kick(view, std::span(targets.data(), 1))) << "nobody beside it: as any restart";
+  EXPECT_FALSE(set_kick(restart(kit::Phase::DirectFree, {0, 0}), targets));
+}
+
+TEST(SetPlay, AGoalKickIsOursNearOurGoalLine) {
+  EXPECT_EQ(set_play(restart(kit::Phase::DirectFree, {-4.0, 2.9})), SetPlay::GoalKick);
+  EXPECT_EQ(set_play(restart(kit::Phase::IndirectFree, {-3.6, -2.9})), SetPlay::GoalKick);
+  EXPECT_EQ(set_play(restart(kit::Phase::DirectFree, {-2.0, 2.9})), SetPlay::None);
+  kit::View theirs = restart(kit::Phase::DirectFree, {-4.0, 2.9});
+  theirs.game.ours = false;
+  EXPECT_EQ(set_play(theirs), SetPlay::None);
+}
+
+TEST(SetPlay, OurGoalKickNeverComesInFrontOfOurGoal) {
+  for (const double side : {1.0, -1.0}) {
+    const kit::View view = restart(kit::Phase::DirectFree, {-4.0, 2.9 * side});
+    for (int i = 0; i < 3; ++i) {
+      const Vector2d place = *set_play_place(view, i);
+      EXPECT_LT(world::distance_outside_lines(field, place), -0.3);
+      // A shooter's distance (the reference team's own shots promise little from farther).
+      EXPECT_GT((place - view.own_goal()).norm(), 3.0);
+    }
+    const Kick kick = long_goal_kick(view);
+    EXPECT_GT(std::cos(kick.direction), 0.8) << "upfield";
+    EXPECT_LT(std::abs(kick.target.y()), field.half_width());
+    EXPECT_GT(kick.target.y() * side, 0) << "on its own flank";
+  }
+}
+
+TEST(SetPlay, ANeutralStartLastsUntilTheBallMoves) {
+  kit::View view = running({1, 1});
+  view.game.restart_position = view.ball.position;
+  EXPECT_EQ(set_play(view), SetPlay::NeutralStart);
+  const Vector2d cover = *set_play_place(view, 0);
+  const world::Segment home{view.ball.position, view.own_goal()};
+  EXPECT_LT(world::distance(home, cover), 1e-9);
+  EXPECT_FALSE(set_play_place(view, 1)) << "one covers, the rest plays on";
+  view.ball.position.x() += 0.1;
+  EXPECT_EQ(set_play(view), SetPlay::None);
+  view.ball.position = view.game.restart_position;
+  view.game.forbidden = 3;
+  EXPECT_EQ(set_play(view), SetPlay::None) << "a kick of ours is under way";
+}
+
+TEST(ChooseKick, WithTargetsOnlyNobodyElseGetsTheBall) {
+  kit::View view = restart(kit::Phase::DirectFree, {-4.0, 2.9});
+  view.own[1].position = {-4.05, 2.98};
+  Observer observer;
+  const Situation& situation = observer.observe(view);
+  KickRules rules;
+  rules.must_kick = true;
+  rules.only_targets = true;
+  rules.otherwise = long_goal_kick(view);
+  const Kick kick = choose_kick(view, situation, 1, rules, {}, {});
+  EXPECT_EQ(kick.kind, Kick::Kind::Clear);
+  EXPECT_EQ(kick.direction, rules.otherwise->direction);
+  view.opponents.resize(1);  // the goalkeeper: nobody in the way
+  const std::array<PassTarget, 1> targets{PassTarget{3, *set_play_place(view, 0)}};
+  view.own[3].position = targets[0].point;
+  rules.targets = targets;
+  EXPECT_EQ(choose_kick(view, situation, 1, rules, {}, {}).receiver, 3);
 }
 
 TEST(Penalty, GoesToTheSideTheGoalieIsFartherFrom) {

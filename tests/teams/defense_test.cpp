@@ -133,6 +133,21 @@ kit::View mirrored(kit::View view) {
   return view;
 }
 
+TEST(Defense, ASingleRobotInTheWallTakesTheSideTheGoalieLeaves) {
+  kit::View view = running({-1.5, 0});
+  kit::Robot& goalie = put(view.own, 0, {-4.2, 0});
+  const double behind_each_other = wall_position(view, 0, 1).y();
+  EXPECT_NEAR(behind_each_other, 0, 1e-12);
+  goalie.position.y() = 0.2;
+  const Vector2d place = wall_position(view, 0, 1);
+  // On the line from the ball to a point 0.15 m beside the goal's middle, but for the last 5 mm out of the
+  // area.
+  EXPECT_NEAR(place.y() / (place.x() + 1.5), -0.15 / -3.0, 0.005 / 1.5);
+  goalie.position.y() = -0.2;
+  EXPECT_NEAR(wall_position(view, 0, 1).y(), -place.y(), 1e-12);
+  EXPECT_NEAR(wall_position(view, 0, 2).y(), -wall_position(view, 1, 2).y(), 1e-12) << "two close the middle";
+}
+
 TEST(Defense, EveryTaskGoesToAnotherRobot) {
   const kit::View view = besieged();
   Observer observer;
@@ -217,6 +232,16 @@ TEST(Goalie, ComesOutUntilItClosesTheOpening) {
   const double hidden = 2 * std::asin(0.1115 / (guard_position(view, robot) - ball).norm());
   // It stays 30 % of the way from the ball, which costs 0.03 rad here.
   EXPECT_NEAR(hidden, opening, 0.05);
+}
+
+// Kept within the goal's width it stood beside the line of every shot from a flank.
+TEST(Goalie, StaysOnTheLineToABallOnTheFlank) {
+  kit::View view = running({-3.6, 1.8});
+  const kit::Robot& robot = put(view.own, 0, {-4.3, 0.2});
+  const Vector2d place = guard_position(view, robot);
+  const double near = std::atan2(-1.3, -0.9), far = std::atan2(-2.3, -0.9);  // from the ball to the posts
+  // The opening is inset by the ball's radius at both posts, which shifts its middle by less than this.
+  EXPECT_NEAR(world::angle_of(place - view.ball.position), (near + far) / 2, 0.02);
 }
 
 TEST(Goalie, GoesOutOnlyToABallItReachesFirst) {

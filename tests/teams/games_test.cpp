@@ -94,6 +94,21 @@ TEST(ReferenceTeam, LeavesTheDefenseAreasToTheGoalies) {
   EXPECT_LE(inside, 2);
 }
 
+// The kicker between two receivers that were worth the same turned to and fro and never kicked: in one
+// kickoff of four the ten seconds were over.
+TEST(ReferenceTeam, TakesItsKickoffAtOnce) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    Arena arena(reference_side(), reference_side(), seed);
+    const Team team = seed % 2 == 0 ? Team::Yellow : Team::Blue;
+    arena.tell({CommandKind::Kickoff, team});
+    for (int i = 0; i < 5 * 60; ++i) arena.tick();
+    arena.tell({CommandKind::Ready, team});
+    // Turning to a side, going round the ball and kicking take about a second and a half.
+    for (int i = 0; i < 3 * 60; ++i) arena.tick();
+    EXPECT_GT(arena.engine().truth().ball.position.head<2>().norm(), 0.05) << "seed " << seed;
+  }
+}
+
 TEST(ReferenceTeam, BeatsTheChaserInTwoMinutes) {
   Arena arena(reference_side(), chaser_side(), 6);
   arena.start_referee(std::chrono::seconds{60});
