@@ -204,6 +204,7 @@ void add_worker(CLI::App& main, commands::WorkerOptions& options) {
   app.add_option("job", options.job)->required();
   app.add_option("result", options.result)->required();
   app.add_option("--team-memory", options.team_memory, "[MiB]");
+  app.add_option("--output", options.output, "[MiB]");
 }
 
 /// CLI11 would only say that a command is missing.

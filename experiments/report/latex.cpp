@@ -42,6 +42,12 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+std::string comment(const std::string& text) {
+  std::string result = "% ";
+  for (const char letter : text) result += letter == '\n' ? std::string("\n% ") : std::string(1, letter);
+  return result + "\n";
+}
+
 std::string share(std::int64_t count, std::int64_t games) {
   return games > 0 ? fmt::format("{:.2f}", 100.0 * static_cast<double>(count) / static_cast<double>(games))
                    : "--";
@@ -106,6 +112,21 @@ std::string statistics(const Row& row) {
   return text + "\\bottomrule\n\\end{tabular}\n";
 }
 
+std::string panel(const PanelComparison& found) {
+  std::string text = comment(found.sentence()) +
+                     "\\begin{tabular}{lrrrrcrc}\n\\toprule\n"
+                     "opponent & pairs & A & B & A $-$ B & 95 \\% & $p$ & win \\% A $-$ B, 95 \\% \\\\\n"
+                     "\\midrule\n";
+  for (const PanelComparison::Line& line : found.lines) {
+    text +=
+        fmt::format("{} & {} & {} & {} & ${}$ & {} & {} & ${}$ {} \\\\\n", escaped(line.opponent), line.pairs,
+                    with_error(line.a, 2), with_error(line.b, 2), signed_number(line.test.difference, 2),
+                    bracketed(line.test.interval), escaped(p_value(line.test.p)),
+                    signed_number(100 * line.win_share, 1), interval(line.win_share_interval, 100, 1));
+  }
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
 std::string trends(const std::vector<Sweep>& sweeps) {
   std::string text =
       "\n\\begin{tabular}{llrcrr}\n\\toprule\nsweep & value & slope & 95 \\% & $p$ & permutation $p$ "
@@ -118,12 +139,6 @@ std::string trends(const std::vector<Sweep>& sweeps) {
                         escaped(p_value(sweep.trend.permutation_p)));
   }
   return text + "\\bottomrule\n\\end{tabular}\n";
-}
-
-std::string comment(const std::string& text) {
-  std::string result = "% ";
-  for (const char letter : text) result += letter == '\n' ? std::string("\n% ") : std::string(1, letter);
-  return result + "\n";
 }
 
 }  // namespace
@@ -141,6 +156,7 @@ std::string as_latex(const Summary& summary) {
   if (!summary.without_forfeits.empty()) {
     text += "\n% the pairs without forfeits alone\n" + table(header, summary.without_forfeits);
   }
+  for (const PanelComparison& one : summary.panels) text += "\n" + panel(one);
   if (!summary.sweeps.empty()) text += trends(summary.sweeps);
   for (const Row& row : summary.rows) {
     if (!row.comparisons.empty()) text += statistics(row);
