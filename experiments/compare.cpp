@@ -7,8 +7,10 @@
 
 #include "experiments/builds/git.h"
 #include "experiments/commands.h"
+#include "experiments/host/play.h"
 #include "experiments/record/json_text.h"
 #include "experiments/record/ledger.h"
+#include "experiments/schedule/design.h"
 
 namespace commands {
 namespace {
@@ -55,13 +57,16 @@ std::string design_text(const CompareOptions& options, const std::string& name, 
   return text + team_text(options, "b", options.base, base_commit, repository);
 }
 
-/// Writes it where none is; one that is there must be the same, or the folder belongs to another comparison.
+/// Writes it where none is. One that is there must be the same, or the folder belongs to another comparison;
+/// unless no game was ever begun, as when the build command was wrong.
 void write_design(const fs::path& file, const std::string& text) {
   if (std::ifstream there(file); there) {
     std::ostringstream old;
     old << there.rdbuf();
     if (old.str() == text) return;
-    throw record::StorageError(file.string() + " is of another comparison; give another --out");
+    if (fs::exists(file.parent_path() / "ledger.sqlite")) {
+      throw record::StorageError(file.string() + ": is of another comparison; give another --out");
+    }
   }
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
@@ -92,7 +97,10 @@ int compare(const CompareOptions& options) {
   }
   run_options.design = run_options.out / "design.toml";
   const std::string repository = fs::weakly_canonical(options.repository).string();
-  write_design(run_options.design, design_text(options, name, repository, base, next));
+  const std::string text = design_text(options, name, repository, base, next);
+  // Before anything is written: a mistake must not leave a folder of a comparison that cannot be.
+  schedule::parse_design(text, "matchday compare (its design)", host::check_realism);
+  write_design(run_options.design, text);
   return run(run_options);
 }
 

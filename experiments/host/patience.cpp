@@ -41,12 +41,15 @@ void Patience::count(Clock::time_point now, const Activity& activity) {
   const process::Activity now_used = activity();
   if (known_ && now_used.wants_machine) {
     const double used = std::max(0.0, now_used.processor_seconds - processor_);
-    counts =
-        std::min(counts, std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(used)));
+    counts = std::min(counts, std::chrono::round<Clock::duration>(std::chrono::duration<double>(used)));
   }
   known_ = true;
   processor_ = now_used.processor_seconds;
   own_ += counts;
+}
+
+bool Patience::machine_is_too_slow() const {
+  return !is_over() && seen_ - begin_ >= std::max<Clock::duration>(longest * allowed_, at_least);
 }
 
 std::string Patience::within() const {

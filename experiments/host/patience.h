@@ -18,9 +18,10 @@ class Patience {
  public:
   using Clock = std::chrono::steady_clock;
   using Activity = std::function<process::Activity()>;
-  /// So many times the time allowed may pass on the clock; then it is the machine's fault. Ours: below the
-  /// minute after which a runner takes a game for stuck.
+  // So many times the time allowed may pass on the clock, and at least so long; then it is the machine's
+  // fault. Ours: 30 s for a reply is below the minute after which a runner takes a game for stuck.
   static constexpr int longest = 6;
+  static constexpr std::chrono::seconds at_least{30};
 
   /// The team's time begins.
   void begin(std::chrono::milliseconds allowed, Clock::time_point now);
@@ -33,7 +34,7 @@ class Patience {
 
   bool is_over() const { return own_ >= allowed_; }
   /// It has hardly been able to do anything, for much longer than allowed.
-  bool machine_is_too_slow() const { return !is_over() && seen_ - begin_ >= longest * allowed_; }
+  bool machine_is_too_slow() const;
 
   /// " within 5 s", and how long it was on the clock when that is much more.
   std::string within() const;

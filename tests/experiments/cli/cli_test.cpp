@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"run .", ".: cannot be read", 2},
         Mistake{"run bad.toml", "bad.toml:2: realism \"real\" is not known; known are none", 2},
         Mistake{"run good.toml --workers 0", "--workers", 2},
-        Mistake{"run no-team.toml", "condition 'base', team a: program 'no-such-team'", 2},
+        Mistake{"run no-team.toml", "no-team.toml: condition 'base', team a: program 'no-such-team'", 2},
         Mistake{"run good.toml --out /proc/no", "result folder /proc/no: cannot be made", 5},
         Mistake{"play --blue true", "--yellow is required", 2},
         Mistake{"play --blue no-such-team --yellow true", "--blue: program 'no-such-team'", 2},
@@ -308,6 +308,19 @@ TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
   const Said absent = matchday("compare main fast --team-repo team --run bin/other --out c");
   EXPECT_EQ(absent.code, 2);
   EXPECT_THAT(absent.text, HasSubstr("program 'bin/other' does not exist in "));
+
+  // Mistakes leave nothing that is in the way of the right command.
+  const Said odd = matchday("compare main fast --team-repo team --run bin/t.sh --out d --games 3");
+  EXPECT_EQ(odd.code, 2);
+  EXPECT_THAT(odd.text, HasSubstr("games = 3: must be even"));
+  EXPECT_FALSE(fs::exists(folder_ / "d"));
+  const Said mended = matchday(
+      "compare main fast --team-repo team --build 'mkdir bin && cp t.sh bin/' --run 'bin/t.sh goals=2' "
+      "--games 4 --out c --worker " BIN_DIR "/coin_worker");
+  EXPECT_EQ(mended.code, 0) << mended.text;
+  const Said other = matchday("compare main fast --team-repo team --run bin/t.sh --games 4 --out c");
+  EXPECT_EQ(other.code, 5) << "there are games of the other command";
+  EXPECT_THAT(other.text, HasSubstr("c/design.toml: is of another comparison"));
 }
 
 TEST_F(MatchdayProgram, PlayOfATeamThatDoesNotConnectIsAForfeitWithItsReason) {

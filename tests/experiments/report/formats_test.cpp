@@ -166,7 +166,7 @@ TEST(Csv, HasALineForEveryComparisonOfAPanelInTheSameColumns) {
   const auto column = [&](const std::string& name) {
     return static_cast<std::size_t>(std::find(table[0].begin(), table[0].end(), name) - table[0].begin());
   };
-  EXPECT_EQ(table[3].at(column("goal_difference")), "3");
+  EXPECT_DOUBLE_EQ(std::stod(table[3].at(column("goal_difference"))), 3);
   EXPECT_NEAR(std::stod(table[3].at(column("goal_difference_t_low"))), 3 - 2.484, 0.001);
   EXPECT_EQ(table[3].at(column("pairs")), "3");
 }
