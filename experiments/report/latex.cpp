@@ -100,9 +100,10 @@ std::string statistics(const Row& row) {
       "\n% match statistics, " + row.condition +
       "\n\\begin{tabular}{lrrrcr}\n\\toprule\na game & A & B & A $-$ B & 95 \\% & Holm $p$ \\\\\n\\midrule\n";
   for (const Comparison& one : row.comparisons) {
-    text += fmt::format("{} & {} & {} & ${}$ & {} & {} \\\\\n", escaped(one.label),
-                        with_error(one.a, one.decimals), with_error(one.b, one.decimals),
-                        signed_number(one.test.difference, one.decimals),
+    const bool part = one.label.starts_with(' ');
+    text += fmt::format("{}{} & {} & {} & ${}$ & {} & {} \\\\\n", part ? "\\quad " : "",
+                        escaped(part ? one.label.substr(2) : one.label), with_error(one.a, one.decimals),
+                        with_error(one.b, one.decimals), signed_number(one.test.difference, one.decimals),
                         bracketed(one.test.interval, one.decimals), escaped(p_value(one.p_holm)));
   }
   for (const GameNumber& one : row.game_numbers) {

@@ -147,6 +147,7 @@ TEST(Latex, HasBalancedTabularsAndEscapesNames) {
     return found;
   };
   EXPECT_EQ(count("\\begin{tabular}"), count("\\end{tabular}"));
+  EXPECT_THAT(text, HasSubstr("\n\\quad AimlessKick & ")) << "a kind of the line above";
   EXPECT_EQ(count("\\begin{tabular}"), 5U) << "results, trends, three conditions' statistics";
   EXPECT_THAT(text, HasSubstr("$4.00 \\pm 0.00$"));
 }
