@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -86,6 +89,10 @@ int compare(const CompareOptions& options) {
   if (options.base.find('\n') != std::string::npos || options.next.find('\n') != std::string::npos) {
     throw std::invalid_argument("a revision must be one line");
   }
+  if (!std::isfinite(options.h1)) throw std::invalid_argument("--h1: must be a number, as 0.2");
+  if (options.seed > std::uint64_t{std::numeric_limits<std::int64_t>::max()}) {
+    throw std::invalid_argument("--seed: must be from 0 to 9223372036854775807, the largest number of TOML");
+  }
   const std::string base = builds::commit_of(options.repository, options.base, "team B");
   const std::string next = builds::commit_of(options.repository, options.next, "team A");
   const std::string name = file_word("compare-" + options.base + "-" + options.next);
@@ -99,7 +106,7 @@ int compare(const CompareOptions& options) {
   const std::string repository = fs::weakly_canonical(options.repository).string();
   const std::string text = design_text(options, name, repository, base, next);
   // Before anything is written: a mistake must not leave a folder of a comparison that cannot be.
-  schedule::parse_design(text, "matchday compare (its design)", host::check_realism);
+  schedule::parse_design(text, "the design of compare", host::check_realism);
   write_design(run_options.design, text);
   return run(run_options);
 }

@@ -136,9 +136,12 @@ void add_report(CLI::App& main, commands::ReportOptions& options) {
   CLI::App& app =
       *main.add_subcommand("report", "print the table of a result folder, or write its page or figures");
   app.add_option("folder", options.folder, "result folder")->required();
-  app.add_option("--format", options.format, "text, markdown, csv, json or latex")->capture_default_str();
-  app.add_flag("--html", options.html, "write report.html in the folder: tables, figures, health, games");
-  app.add_option("--figures", options.figures, "write the figures as SVG into this folder (needs gnuplot)");
+  CLI::Option* format = app.add_option("--format", options.format, "text, markdown, csv, json or latex");
+  format->capture_default_str();
+  app.add_flag("--html", options.html, "write report.html in the folder: tables, figures, health, games")
+      ->excludes(format);
+  app.add_option("--figures", options.figures, "write the figures as SVG into this folder (needs gnuplot)")
+      ->excludes(format);
 }
 
 void add_replay(CLI::App& main, commands::ReplayOptions& options) {

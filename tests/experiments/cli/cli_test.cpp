@@ -129,6 +129,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"realism --set vision.cameras=3", "1, 2, 4, 6 or 8", 2},
         Mistake{"continue nothing.replies", "nothing.replies: cannot be opened", 2},
         Mistake{"continue good.toml", "good.toml: ", 2},
+        Mistake{"report . --html --format csv", "--html excludes --format", 2},
+        Mistake{"compare a b --run x --h1 nan", "--h1: must be a number", 2},
+        Mistake{"compare a b --run x --seed -1", "--seed: must be from 0", 2},
         Mistake{"report .", "./ledger.sqlite: there is no ledger", 5},
         Mistake{"report nowhere", "nowhere/ledger.sqlite: there is no ledger", 5},
         Mistake{"replay . one-0000-0", "there is no ledger", 5}));
@@ -268,6 +271,19 @@ TEST_F(MatchdayProgram, PlanSaysWhyItCouldNotMeasure) {
   const Said plan = matchday("plan good.toml");
   EXPECT_EQ(plan.code, 2);
   EXPECT_THAT(plan.text, HasSubstr("the calibration game ended by a fault: "));
+}
+
+// The whole way of a limit: design, runner, worker, host, log. The team prints 1.2 MB a simulated second and
+// never moves, so its games are void and their files are kept.
+TEST_F(MatchdayProgram, KeepsOfATeamsOutputWhatTheDesignSays) {
+  std::ofstream(folder_ / "talk.toml")
+      << "name = \"talk\"\npairs = 1\n[rules]\nhalf_length = 2.0\n[limits]\noutput = 1\n"
+      << "[teams.a]\ncommand = \"" BIN_DIR "/fake-team --mode chatter\"\n"
+      << "[teams.b]\ncommand = \"" BIN_DIR "/fake-team --mode chatter\"\n";
+  EXPECT_EQ(matchday("run talk.toml --no-preflight --workers 1").code, 4);
+  const auto size = fs::file_size(folder_ / "results/talk/games/base-0000-0/1/blue.log");
+  EXPECT_GE(size, 1U << 20);
+  EXPECT_LT(size, (1U << 20) + (64U << 10)) << "and a sentence that there was more";
 }
 
 TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
