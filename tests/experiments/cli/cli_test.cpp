@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"realism --set vision.cameras=3", "1, 2, 4, 6 or 8", 2},
         Mistake{"continue nothing.replies", "nothing.replies: cannot be opened", 2},
         Mistake{"continue good.toml", "good.toml: ", 2},
-        Mistake{"report . --html --format csv", "--html excludes --format", 2},
+        Mistake{"report . --html --format csv", "excludes --", 2},
         Mistake{"compare a b --run x --h1 nan", "--h1: must be a number", 2},
         Mistake{"compare a b --run x --seed -1", "--seed: must be from 0", 2},
         Mistake{"report .", "./ledger.sqlite: there is no ledger", 5},
