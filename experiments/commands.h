@@ -125,6 +125,7 @@ struct WorkerOptions {
   std::filesystem::path job;
   std::filesystem::path result;
   std::int64_t team_memory = 2048;  ///< [MiB] a team may hold
+  std::int64_t output = 4;          ///< [MiB] kept of what a team prints
 };
 /// One game for a runner.
 int worker(const WorkerOptions& options);

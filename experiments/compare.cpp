@@ -1,14 +1,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
 #include "experiments/builds/git.h"
 #include "experiments/commands.h"
+#include "experiments/host/play.h"
 #include "experiments/record/json_text.h"
 #include "experiments/record/ledger.h"
+#include "experiments/schedule/design.h"
 
 namespace commands {
 namespace {
@@ -55,13 +60,16 @@ std::string design_text(const CompareOptions& options, const std::string& name, 
   return text + team_text(options, "b", options.base, base_commit, repository);
 }
 
-/// Writes it where none is; one that is there must be the same, or the folder belongs to another comparison.
+/// Writes it where none is. One that is there must be the same, or the folder belongs to another comparison;
+/// unless no game was ever begun, as when the build command was wrong.
 void write_design(const fs::path& file, const std::string& text) {
   if (std::ifstream there(file); there) {
     std::ostringstream old;
     old << there.rdbuf();
     if (old.str() == text) return;
-    throw record::StorageError(file.string() + " is of another comparison; give another --out");
+    if (fs::exists(file.parent_path() / "ledger.sqlite")) {
+      throw record::StorageError(file.string() + ": is of another comparison; give another --out");
+    }
   }
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
@@ -81,6 +89,10 @@ int compare(const CompareOptions& options) {
   if (options.base.find('\n') != std::string::npos || options.next.find('\n') != std::string::npos) {
     throw std::invalid_argument("a revision must be one line");
   }
+  if (!std::isfinite(options.h1)) throw std::invalid_argument("--h1: must be a number, as 0.2");
+  if (options.seed > std::uint64_t{std::numeric_limits<std::int64_t>::max()}) {
+    throw std::invalid_argument("--seed: must be from 0 to 9223372036854775807, the largest number of TOML");
+  }
   const std::string base = builds::commit_of(options.repository, options.base, "team B");
   const std::string next = builds::commit_of(options.repository, options.next, "team A");
   const std::string name = file_word("compare-" + options.base + "-" + options.next);
@@ -92,7 +104,10 @@ int compare(const CompareOptions& options) {
   }
   run_options.design = run_options.out / "design.toml";
   const std::string repository = fs::weakly_canonical(options.repository).string();
-  write_design(run_options.design, design_text(options, name, repository, base, next));
+  const std::string text = design_text(options, name, repository, base, next);
+  // Before anything is written: a mistake must not leave a folder of a comparison that cannot be.
+  schedule::parse_design(text, "the design of compare", host::check_realism);
+  write_design(run_options.design, text);
   return run(run_options);
 }
 

@@ -15,7 +15,7 @@ Experiment read_experiment(const std::filesystem::path& folder) {
   const record::Experiment stored = ledger.experiment();
   try {
     return {schedule::parse_design(stored.design, file.string() + " (its design)"), stored.hash,
-            ledger.attempts(), ledger.audits()};
+            ledger.attempts(record::Detail::WithoutTimeline), ledger.audits()};
   } catch (const std::invalid_argument& error) {
     throw record::StorageError(
         error.what());  // it was valid when it was written: damaged, or of another version
@@ -46,6 +46,7 @@ report::Summary summary(const Experiment& experiment) {
   if (design.stopping.rule != schedule::StopRule::Fixed) header.stopping = stopping::rule(design);
   header.answers = stopping::sentences(design, experiment.attempts);
   if (!experiment.audits.empty()) header.remarks.push_back(runner::audit_summary(experiment.audits));
+  header.audits = experiment.audits;
   return report::summarise(std::move(header), stopping::counted(design, experiment.attempts));
 }
 

@@ -136,9 +136,12 @@ void add_report(CLI::App& main, commands::ReportOptions& options) {
   CLI::App& app =
       *main.add_subcommand("report", "print the table of a result folder, or write its page or figures");
   app.add_option("folder", options.folder, "result folder")->required();
-  app.add_option("--format", options.format, "text, markdown, csv, json or latex")->capture_default_str();
-  app.add_flag("--html", options.html, "write report.html in the folder: tables, figures, health, games");
-  app.add_option("--figures", options.figures, "write the figures as SVG into this folder (needs gnuplot)");
+  CLI::Option* format = app.add_option("--format", options.format, "text, markdown, csv, json or latex");
+  format->capture_default_str();
+  app.add_flag("--html", options.html, "write report.html in the folder: tables, figures, health, games")
+      ->excludes(format);
+  app.add_option("--figures", options.figures, "write the figures as SVG into this folder (needs gnuplot)")
+      ->excludes(format);
 }
 
 void add_replay(CLI::App& main, commands::ReplayOptions& options) {
@@ -204,6 +207,7 @@ void add_worker(CLI::App& main, commands::WorkerOptions& options) {
   app.add_option("job", options.job)->required();
   app.add_option("result", options.result)->required();
   app.add_option("--team-memory", options.team_memory, "[MiB]");
+  app.add_option("--output", options.output, "[MiB]");
 }
 
 /// CLI11 would only say that a command is missing.

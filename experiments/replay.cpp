@@ -55,6 +55,10 @@ int compare(const record::MatchRecord& again, const record::Attempt& attempt, bo
                       : "the same game as in the ledger, up to its fault: " + original.reason + "\n");
     return done;
   }
+  if (!recorded && again.at_fault == record::Party::Harness) {
+    std::cout << "it could not be played again: " << again.reason << "\n";
+    return faults;
+  }
   std::cout << "not the game in the ledger (" << record::name(original.termination) << ", hash "
             << original.hash << "): "
             << (recorded ? "it was played by another build of matchday, or on another kind of processor\n"

@@ -16,7 +16,11 @@ namespace commands {
 namespace {
 
 void write_figures(const report::Summary& summary, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw std::invalid_argument("--figures " + folder.string() + ": cannot be made: " + error.message());
+  }
   const std::vector<report::Figure> figures = report::figures(summary);
   if (figures.empty())
     throw std::invalid_argument("there is no figure yet: no condition has a complete pair");

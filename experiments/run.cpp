@@ -59,8 +59,9 @@ int run(const RunOptions& options) {
   settings.workers = options.workers;
   settings.limits = design.limits;
   settings.preflight = options.preflight;
-  settings.worker_command = {own_program(), "worker", "--team-memory",
-                             std::to_string(design.limits.team_memory)};
+  settings.worker_command = {own_program(),   "worker",
+                             "--team-memory", std::to_string(design.limits.team_memory),
+                             "--output",      std::to_string(design.limits.output)};
   if (!options.worker.empty()) settings.worker_command = schedule::split_command(options.worker);
   settings.version = options.version;
   settings.protocol = "match protocol " + std::to_string(wire::match_protocol_version);

@@ -15,6 +15,7 @@ int worker(const WorkerOptions& options) {
       ::sched_getcpu();  // the one the runner has bound us to; there the game's processes take turns
   settings.interrupted = [&signals] { return signals.wait(std::chrono::milliseconds{0}).has_value(); };
   settings.memory_limit = options.team_memory << 20;
+  settings.kept_output = static_cast<std::size_t>(options.output) << 20;
   settings.must_be_plausible = true;
   runner::ProgressWriter progress(runner::progress_file(options.result));
   settings.on_second = [&progress](world::Time time, const world::PerTeam<int>&) {

@@ -127,6 +127,10 @@ record::MatchRecord Match::run() {
     record.termination = Termination::HarnessFault;
     record.at_fault = record::Party::Harness;
     record.reason = differs.sentence;
+  } catch (const MachineTooSlow& slow) {
+    record.termination = Termination::HarnessFault;
+    record.at_fault = record::Party::Harness;
+    record.reason = slow.sentence;
   } catch (const Overlong&) {
     record.termination = Termination::Overlong;
     record.reason =
@@ -139,18 +143,20 @@ record::MatchRecord Match::run() {
 void Match::start_teams() {
   if (!config_.directory.empty()) std::filesystem::create_directories(config_.directory);
   // Both are tried, so that both are to blame when neither starts.
-  for (const world::Team team : world::both_teams) teams_[team]->start(config_.directory);
+  for (const world::Team team : world::both_teams)
+    teams_[team]->start(config_.directory, options_.kept_output);
 }
 
 void Match::greet_teams() {
-  const Deadline deadline(options_.connect_deadline);
-  for (const world::Team team : world::both_teams) teams_[team]->accept(deadline, idle_);
+  allow(options_.connect_deadline);
+  for (const world::Team team : world::both_teams) teams_[team]->accept(idle_);
+  allow(options_.connect_deadline);  // anew: one must not suffer from the other's slow start
   for (const world::Team team : world::both_teams) {
-    teams_[team]->send(hello_frame(team, config_, engine_.model()), deadline, idle_);
+    teams_[team]->send(hello_frame(team, config_, engine_.model()), idle_);
   }
   for (const world::Team team : world::both_teams) {
     TeamProcess& process = *teams_[team];
-    if (!process.receive(deadline, idle_)) continue;
+    if (!process.receive(idle_)) continue;
     const wire::proto::TeamMessage* message = process.message();
     if (message == nullptr) continue;
     if (!message->has_hello()) {
@@ -159,6 +165,11 @@ void Match::greet_teams() {
     }
     welcome(team, message->hello());
   }
+}
+
+void Match::allow(std::chrono::milliseconds span) {
+  const Patience::Clock::time_point now = Patience::Clock::now();
+  for (const world::Team team : world::both_teams) teams_[team]->allow(span, now);
 }
 
 void Match::welcome(world::Team team, const wire::proto::TeamHello& hello) {
@@ -215,7 +226,7 @@ void Match::create_referee() {
 void Match::play_ticks() {
   if (options_.stopwatch != nullptr) engine_.measure(&timing_);
   if (options_.on_start) options_.on_start(engine_);
-  const auto begin = Deadline::Clock::now();
+  const auto begin = Patience::Clock::now();
   while (tick()) {
     if (engine_.tick() % world::ticks_per_second == 0) {
       vitals_.add(engine_.truth(), commands_, referee_->message(), referee_->state());
@@ -228,7 +239,7 @@ void Match::play_ticks() {
   if (log_) log_->close();
   if (recorder_) recorder_->close();
   if (options_.stopwatch != nullptr) {
-    options_.stopwatch->loop_seconds = std::chrono::duration<double>(Deadline::Clock::now() - begin).count();
+    options_.stopwatch->loop_seconds = std::chrono::duration<double>(Patience::Clock::now() - begin).count();
     options_.stopwatch->bytes_in = teams_.yellow->bytes_in() + teams_.blue->bytes_in();
     options_.stopwatch->channel_calls = teams_.yellow->channel_calls() + teams_.blue->channel_calls();
   }
@@ -313,12 +324,12 @@ void Match::exchange() {
 
   // Both are written before either is read: the teams think at the same time, or at least neither waits for
   // the other.
-  const Deadline deadline(options_.reply_deadline);
-  for (const world::Team team : world::both_teams) teams_[team]->send(frames[team], deadline, idle_);
+  allow(options_.reply_deadline);
+  for (const world::Team team : world::both_teams) teams_[team]->send(frames[team], idle_);
   // First the one that was written to last: by then the other has answered, which wakes nobody.
   world::PerTeam<bool> came;
   for (const world::Team team : {world::Team::Blue, world::Team::Yellow}) {
-    came[team] = teams_[team]->receive(deadline, idle_);
+    came[team] = teams_[team]->receive(idle_);
   }
   lap(Part::Channel);
 
@@ -381,13 +392,16 @@ void Match::act_on_wishes(const referee::Output& output) {
 }
 
 void Match::look_around() {
-  for (const world::Team team : world::both_teams) teams_[team]->drain();
+  const Patience::Clock::time_point now = Patience::Clock::now();
+  for (const world::Team team : world::both_teams) {
+    teams_[team]->drain();
+    teams_[team]->count_time(now);
+  }
   if (options_.interrupted && options_.interrupted()) throw Interrupted{};
-  check_limits();
+  check_limits(now);
 }
 
-void Match::check_limits() {
-  const Deadline::Clock::time_point now = Deadline::Clock::now();
+void Match::check_limits(Patience::Clock::time_point now) {
   if (now - limits_checked_ < limits_interval) return;
   limits_checked_ = now;
   for (const world::Team team : world::both_teams) {

@@ -51,6 +51,7 @@ class Match {
 
   void start_teams();
   void greet_teams();
+  void allow(std::chrono::milliseconds span);  // both teams, from now on
   void welcome(world::Team team, const wire::proto::TeamHello& hello);
   void create_referee();
   void play_ticks();
@@ -64,7 +65,7 @@ class Match {
   void grant(world::Team team, const wire::proto::Request& request);
   void act_on_wishes(const referee::Output& output);
   void look_around();  // now and then, and while waiting
-  void check_limits();
+  void check_limits(Patience::Clock::time_point now);
   void report(std::span<const record::CallEntry> entries);
   void lap(Part part);
   bool anyone_at_fault() const { return teams_.yellow->fault() || teams_.blue->fault(); }
@@ -88,7 +89,7 @@ class Match {
   GameHash hash_;
   Tally tally_;
   Vitals vitals_;
-  Deadline::Clock::time_point limits_checked_{};
+  Patience::Clock::time_point limits_checked_{};
   statistics::Observer statistics_;
   world::PerTeam<world::TeamCommands> commands_;
   world::PerTeam<int> bad_commands_{};

@@ -19,14 +19,16 @@ namespace host {
 struct Options {
   int cpu =
       -1;  ///< host and teams run on this processor only; -1: wherever the system likes (three times slower)
-  std::chrono::milliseconds connect_deadline{10'000};  ///< wall, from start to the team's hello
-  std::chrono::milliseconds reply_deadline{5'000};     ///< wall, for each reply
+  // In the team's own time, see patience.h.
+  std::chrono::milliseconds connect_deadline{10'000};  ///< to connect, and then for the hello
+  std::chrono::milliseconds reply_deadline{5'000};     ///< for each reply
   std::chrono::milliseconds stop_grace{1'000};         ///< between goodbye or TERM and KILL
 
   // What a team may use, all its processes together; more ends the game as OverLimit. 0: any amount. Ours:
   // many times what any team of the league needs, and few enough for a machine with several games.
   std::int64_t memory_limit = std::int64_t{2} << 30;  ///< [bytes] resident, looked at every 0.1 s
-  std::int64_t output_limit = std::int64_t{1} << 30;  ///< [bytes] printed; only the first 4 MiB are kept
+  std::int64_t output_limit = std::int64_t{1} << 30;  ///< [bytes] printed
+  std::size_t kept_output = std::size_t{4} << 20;     ///< [bytes] of what a team prints, in its log
 
   bool explain = false;  ///< calls come with their evidence
 

@@ -2,8 +2,6 @@
 
 #include <poll.h>
 
-#include <sstream>
-
 #include "experiments/process/family.h"
 
 namespace host {
@@ -14,13 +12,6 @@ using record::Termination;
 
 // A process that closed its socket because it ends needs this long at most to be seen as ended (ours).
 constexpr auto farewell = 500ms;
-
-// " within 5 s", " within 0.3 s"
-std::string within(const Deadline& deadline) {
-  std::ostringstream text;
-  text << " within " << std::chrono::duration<double>(deadline.allowed).count() << " s";
-  return text.str();
-}
 
 }  // namespace
 
@@ -33,12 +24,13 @@ void TeamProcess::blame(Termination termination, const std::string& what) {
   fault_ = Fault{termination, std::string(world::name(team_)) + " (" + config_.name + ") " + what};
 }
 
-void TeamProcess::start(const std::filesystem::path& directory) {
+void TeamProcess::start(const std::filesystem::path& directory, std::size_t kept_output) {
   process::Command command;
   command.arguments = config_.command;
   command.directory = config_.directory;
   command.environment = {{socket_variable, listener_.path().string()}};
   command.expendable = true;
+  command.output_limit = kept_output;
   if (!directory.empty()) command.output = directory / (std::string(world::name(team_)) + ".log");
   try {
     child_.emplace(command);
@@ -47,15 +39,30 @@ void TeamProcess::start(const std::filesystem::path& directory) {
   }
 }
 
-void TeamProcess::accept(const Deadline& deadline, const Idle& while_waiting) {
+void TeamProcess::count_time(Patience::Clock::time_point now) {
+  if (!child_ || fault_) return;
+  patience_.count(now, [this] { return process::family_activity(child_->pid()); });
+}
+
+bool TeamProcess::waited_enough(Termination termination, const std::string& what) {
+  if (patience_.is_over()) {
+    blame(termination, what + patience_.within());
+    return true;
+  }
+  if (patience_.machine_is_too_slow()) {
+    throw MachineTooSlow{"the machine is too slow or overloaded: " + std::string(world::name(team_)) + " (" +
+                         config_.name + ") " + what + ", but " + patience_.starved()};
+  }
+  return false;
+}
+
+void TeamProcess::accept(const Idle& while_waiting) {
   while (!fault_ && !channel_) {
     if (const auto socket = listener_.accept()) {
       channel_.emplace(*socket);
     } else if (child_->has_ended()) {
       note_gone();
-    } else if (deadline.has_passed()) {
-      blame(Termination::NotConnected, "did not connect" + within(deadline));
-    } else {
+    } else if (!waited_enough(Termination::NotConnected, "did not connect")) {
       pollfd watched{listener_.file(), POLLIN, 0};
       ::poll(&watched, 1, 10);
       while_waiting();
@@ -76,7 +83,7 @@ void TeamProcess::note_gone() {
   blame(exit.clean() ? Termination::Closed : Termination::Crashed, exit.describe() + when);
 }
 
-void TeamProcess::send(std::string_view frame, const Deadline& deadline, const Idle& while_waiting) {
+void TeamProcess::send(std::string_view frame, const Idle& while_waiting) {
   while (!fault_) {
     switch (channel_->send(frame)) {
       case Channel::Status::Done:
@@ -87,13 +94,12 @@ void TeamProcess::send(std::string_view frame, const Deadline& deadline, const I
       case Channel::Status::Waiting:
         break;
     }
-    if (deadline.has_passed())
-      blame(Termination::NotResponding, "did not read what it was sent" + within(deadline));
+    if (waited_enough(Termination::NotResponding, "did not read what it was sent")) return;
     while_waiting();
   }
 }
 
-bool TeamProcess::receive(const Deadline& deadline, const Idle& while_waiting) {
+bool TeamProcess::receive(const Idle& while_waiting) {
   while (!fault_) {
     Channel::Status status{};
     try {
@@ -102,12 +108,13 @@ bool TeamProcess::receive(const Deadline& deadline, const Idle& while_waiting) {
       blame(Termination::Nonsense, std::string("sent nonsense: ") + error.what());
       return false;
     }
-    if (status == Channel::Status::Done) return true;
+    if (status == Channel::Status::Done) {
+      patience_.end();
+      return true;
+    }
     if (status == Channel::Status::Closed || child_->has_ended()) {
       note_gone();
-    } else if (deadline.has_passed()) {
-      blame(Termination::NotResponding, "did not answer" + within(deadline));
-    } else {
+    } else if (!waited_enough(Termination::NotResponding, "did not answer")) {
       while_waiting();
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "experiments/host/channel.h"
 #include "experiments/host/listener.h"
 #include "experiments/host/messages.h"
+#include "experiments/host/patience.h"
 #include "experiments/process/child.h"
 #include "experiments/record/match_config.h"
 #include "experiments/record/match_record.h"
@@ -23,14 +25,9 @@ struct Fault {
   std::string reason;  ///< one sentence, naming the colour
 };
 
-/// Until when something may take, on the wall clock.
-struct Deadline {
-  using Clock = std::chrono::steady_clock;
-  explicit Deadline(std::chrono::milliseconds span) : allowed(span), end(Clock::now() + span) {}
-  bool has_passed() const { return Clock::now() >= end; }
-
-  std::chrono::milliseconds allowed;
-  Clock::time_point end;
+/// A team was not heard for so long because the machine did not let it run: nobody's fault but ours.
+struct MachineTooSlow {
+  std::string sentence;
 };
 
 /// One team as the host sees it: a process, a socket, and what went wrong with it.
@@ -47,14 +44,22 @@ class TeamProcess {
 
   /// Starts the program, its output going to a file in `directory` unless that is empty; NotStarted when that
   /// fails.
-  void start(const std::filesystem::path& directory);
-  /// Waits for its connection until `deadline`.
-  void accept(const Deadline& deadline, const Idle& while_waiting);
+  /// @param kept_output  [bytes] of what it prints
+  void start(const std::filesystem::path& directory, std::size_t kept_output);
 
+  /// From now on it has so long for what it is waited for; see Patience.
+  void allow(std::chrono::milliseconds span, Patience::Clock::time_point now) { patience_.begin(span, now); }
+  /// To be called by `while_waiting`, for both teams: whoever is waited for, the time of both goes on.
+  void count_time(Patience::Clock::time_point now);
+
+  // These wait, within what was allowed; beyond it is a fault.
+  // They throw MachineTooSlow when the team could not run.
+  /// Waits for its connection.
+  void accept(const Idle& while_waiting);
   /// Writes one frame.
-  void send(std::string_view frame, const Deadline& deadline, const Idle& while_waiting);
+  void send(std::string_view frame, const Idle& while_waiting);
   /// Waits for the next frame; false when there is none, which is a fault.
-  bool receive(const Deadline& deadline, const Idle& while_waiting);
+  bool receive(const Idle& while_waiting);
   /// The frame that came, as a message, valid until the next one; null when it is none, which is a fault.
   const wire::proto::TeamMessage* message();
 
@@ -79,6 +84,7 @@ class TeamProcess {
 
  private:
   void note_gone();  // it closed the channel or ended: why?
+  bool waited_enough(record::Termination termination, const std::string& what);  // blames it when so
 
   world::Team team_;
   record::TeamConfig config_;
@@ -88,6 +94,7 @@ class TeamProcess {
   std::span<const std::byte> payload_;  // of the last frame, in the channel's memory
   MessageParser parser_;
   std::optional<Fault> fault_;
+  Patience patience_;
   process::Usage usage_;
 };
 

@@ -57,6 +57,36 @@ std::vector<pid_t> children_of(pid_t process) {
   return children;
 }
 
+/// A process and its descendants.
+std::vector<pid_t> family_of(pid_t process) {
+  std::vector<pid_t> members = {process};
+  for (std::size_t i = 0; i < members.size() && i < most_members; ++i) {
+    const std::vector<pid_t> children = children_of(members[i]);
+    members.insert(members.end(), children.begin(), children.end());
+  }
+  return members;
+}
+
+/// Adds what the thread with that folder in /proc has done.
+void add_thread(const std::string& folder, Activity& sum) {
+  std::ifstream stream(folder + "/stat");
+  std::string text;
+  std::getline(stream, text);
+  const std::size_t name_end = text.rfind(')');  // the name may hold anything
+  if (name_end == std::string::npos) return;
+  std::istringstream fields(text.substr(name_end + 1));
+  char state = 0;
+  fields >> state;
+  std::string skipped;
+  for (int field = 4; field < 14; ++field) fields >> skipped;
+  double user = 0;  // [clock ticks], proc(5)
+  double system = 0;
+  fields >> user >> system;
+  if (!fields) return;
+  sum.processor_seconds += (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+  sum.wants_machine = sum.wants_machine || state == 'R' || state == 'D';
+}
+
 bool was_started_with(pid_t process, const std::string& entry) {
   std::ifstream stream(folder_of(process) + "/environ", std::ios::binary);  // empty for a dead process
   for (std::string line; std::getline(stream, line, '\0');) {
@@ -116,12 +146,16 @@ std::int64_t resident_memory(pid_t process) {
 }
 
 std::int64_t family_memory(pid_t process) {
-  std::vector<pid_t> members = {process};
   std::int64_t sum = 0;
-  for (std::size_t i = 0; i < members.size() && i < most_members; ++i) {
-    sum += resident_memory(members[i]);
-    const std::vector<pid_t> children = children_of(members[i]);
-    members.insert(members.end(), children.begin(), children.end());
+  for (const pid_t member : family_of(process)) sum += resident_memory(member);
+  return sum;
+}
+
+Activity family_activity(pid_t process) {
+  Activity sum;
+  for (const pid_t member : family_of(process)) {
+    const std::string tasks = folder_of(member) + "/task";
+    for (const pid_t thread : numbers_in(tasks)) add_thread(tasks + "/" + std::to_string(thread), sum);
   }
   return sum;
 }

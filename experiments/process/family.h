@@ -33,6 +33,13 @@ std::int64_t resident_memory(pid_t process);
 /// The same of a process and all its descendants together; shared pages count in each of them.
 std::int64_t family_memory(pid_t process);
 
+/// What a process and all its descendants are doing.
+struct Activity {
+  double processor_seconds = 0;  ///< [s] used so far by all that live, in steps of 0.01 s
+  bool wants_machine = false;    ///< a thread of them runs, or would if it had a processor or its disk
+};
+Activity family_activity(pid_t process);
+
 /// Living processes, never this one, that were started with an environment in which a line "NAME=VALUE"
 /// begins with `entry`. Whoever starts a program passes such a line on unless it takes it out on purpose.
 std::vector<pid_t> started_with(const std::string& entry);

@@ -232,13 +232,21 @@ void Ledger::add(const Attempt& attempt) {
   });
 }
 
-std::vector<Attempt> Ledger::attempts() const {
+namespace {
+// What is no JSON is given as it is, so that whoever reads it can name the game.
+constexpr const char* without_timeline =
+    "CASE WHEN json_valid(record) THEN json_set(record, '$.timeline', json_array()) ELSE record END";
+}  // namespace
+
+std::vector<Attempt> Ledger::attempts(Detail detail) const {
   return guarded(connection_->file, [&] {
     std::vector<Attempt> attempts;
     SQLite::Statement rows(
         connection_->database,
-        "SELECT condition, pair, leg, attempt, seed, a_colour, blue_on_positive_half, "
-        "first_kickoff, worker, started, record FROM attempts ORDER BY condition, pair, leg, attempt");
+        std::string("SELECT condition, pair, leg, attempt, seed, a_colour, blue_on_positive_half, "
+                    "first_kickoff, worker, started, ") +
+            (detail == Detail::Whole ? "record" : without_timeline) +
+            " FROM attempts ORDER BY condition, pair, leg, attempt");
     while (rows.executeStep()) {
       Attempt attempt;
       attempt.key = {rows.getColumn(0).getString(), rows.getColumn(1).getInt(), rows.getColumn(2).getInt()};

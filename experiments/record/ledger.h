@@ -23,6 +23,9 @@ struct Experiment {
   bool operator==(const Experiment&) const = default;
 };
 
+/// How much of every attempt is read: the timelines of calls are nine tenths of a full game's record.
+enum class Detail { Whole, WithoutTimeline };
+
 /// All attempts of an experiment in one SQLite file: the only state of a run.
 ///
 /// One row per attempt in the table `attempts`; the view `games` shows the same with the match statistics as
@@ -55,7 +58,7 @@ class Ledger {
   void add(const Attempt& attempt);
 
   /// All attempts, by condition name, pair, leg and attempt.
-  std::vector<Attempt> attempts() const;
+  std::vector<Attempt> attempts(Detail detail = Detail::Whole) const;
 
   /// Writes one audit, in place of an earlier one of the same attempt.
   ///

@@ -5,6 +5,7 @@
 
 #include "experiments/record/json_text.h"
 #include "experiments/report/formats.h"
+#include "experiments/report/health.h"
 #include "experiments/report/wording.h"
 
 namespace report {
@@ -164,6 +165,44 @@ std::string json_panels(const std::vector<PanelComparison>& panels) {
   });
 }
 
+std::string json_audits(const std::vector<record::Audit>& audits) {
+  Fields fields = {{"audited", std::to_string(audits.size())}};
+  for (const AuditLine& line : audit_lines(audits))
+    fields.emplace_back(record::name(line.verdict), std::to_string(line.count));
+  return json_object(fields, "  ");
+}
+
+/// A panel's comparisons in the columns of a condition's row: A's goal difference minus B's.
+std::vector<Fields> panel_fields(const PanelComparison& panel) {
+  std::vector<Fields> all;
+  for (const PanelComparison::Line& line : panel.lines) {
+    Fields fields;
+    fields.emplace_back("condition", record::quoted(panel.base + ": A minus B against " + line.opponent));
+    fields.emplace_back("a_name", record::quoted(panel.a));
+    fields.emplace_back("b_name", record::quoted(panel.b));
+    fields.emplace_back("goal_difference", record::number(line.test.difference));
+    fields.emplace_back("goal_difference_standard_error",
+                        line.pairs > 1 ? record::number(line.test.standard_error) : "null");
+    add_interval(fields, "goal_difference_t", line.test.interval);
+    fields.emplace_back("goal_difference_t_p", record::number(line.test.p));
+    fields.emplace_back("pairs", std::to_string(line.pairs));
+    fields.emplace_back("verdict", record::quoted(panel.sentence()));
+    all.push_back(std::move(fields));
+  }
+  return all;
+}
+
+/// The same columns as `columns`, empty where there is nothing of that name.
+Fields in_columns_of(const Fields& columns, const Fields& fields) {
+  Fields result;
+  for (const auto& [name, ignored] : columns) {
+    const auto found =
+        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.first == name; });
+    result.emplace_back(name, found == fields.end() ? "null" : found->second);
+  }
+  return result;
+}
+
 std::string json_texts(const std::vector<std::string>& texts) {
   return json_list(texts, [](const std::string& text) { return record::quoted(text); });
 }
@@ -247,6 +286,7 @@ std::string as_json(const Summary& summary) {
                       {"stopping", record::quoted(header.stopping)},
                       {"answers", json_texts(header.answers)},
                       {"warnings", json_texts(warnings(summary))},
+                      {"audits", json_audits(header.audits)},
                       {"panels", json_panels(summary.panels)},
                       {"sweeps", json_sweeps(summary.sweeps)},
                       {"conditions", json_rows(header, summary.rows)},
@@ -275,6 +315,11 @@ std::string as_csv(const Summary& summary) {
   }
   for (std::size_t i = 0; i < summary.without_forfeits.size(); ++i) {
     line("left out", fields_with_extras(summary.without_forfeits[i], i), false);
+  }
+  if (summary.rows.empty()) return text;
+  const Fields columns = fields_with_extras(summary.rows.front(), 0);
+  for (const PanelComparison& panel : summary.panels) {
+    for (const Fields& fields : panel_fields(panel)) line("panel", in_columns_of(columns, fields), false);
   }
   return text;
 }

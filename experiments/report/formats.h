@@ -11,11 +11,12 @@ namespace report {
 std::string as_text(const Summary& summary);
 /// For a web page or a note.
 std::string as_markdown(const Summary& summary);
-/// For a spreadsheet: a line per condition and way to count forfeits.
+/// For a spreadsheet: a line per condition and way to count forfeits, then one per comparison of a panel, in
+/// whose goal_difference columns is A's minus B's against that opponent.
 std::string as_csv(const Summary& summary);
 /// For a program: everything.
 std::string as_json(const Summary& summary);
-/// For a paper: the main table, the match statistics and the trends as tabulars of the package booktabs.
+/// For a paper: the main table, panels, trends and match statistics as tabulars of the package booktabs.
 std::string as_latex(const Summary& summary);
 
 /// The report in the format of that name: text, markdown, csv, json or latex.

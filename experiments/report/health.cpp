@@ -84,6 +84,39 @@ std::string Health::Check::text() const {
   return text + fmt::format(": SUSPICIOUS, most of all {}", worst->name);
 }
 
+const char* AuditLine::meaning() const {
+  switch (verdict) {
+    case record::Verdict::Same:
+      return "the same hash";
+    case record::Verdict::TeamDiffers:
+      return "another hash, the same from the recorded replies: a team is not deterministic (no fault, but "
+             "its games cannot be played again from their seeds)";
+    case record::Verdict::SimulatorDiffers:
+      return "another hash from the same replies: A MISTAKE OF MATCHDAY, please report it";
+    case record::Verdict::TeamsOrUsDiffer:
+      return "another hash, and no recorded replies to tell a team from the simulator";
+    case record::Verdict::Failed:
+      return "could not be played again";
+  }
+  return "";
+}
+
+std::vector<AuditLine> audit_lines(std::span<const record::Audit> audits) {
+  constexpr std::size_t most_named = 5;
+  std::map<record::Verdict, AuditLine> lines;
+  for (const record::Audit& audit : audits) {
+    AuditLine& line = lines[audit.verdict];
+    line.verdict = audit.verdict;
+    ++line.count;
+    if (audit.verdict == record::Verdict::Same) continue;
+    if (line.count <= most_named) line.games += (line.games.empty() ? "" : ", ") + record::game_id(audit.key);
+    if (line.count == most_named + 1) line.games += ", ...";
+  }
+  std::vector<AuditLine> result;
+  for (auto& [verdict, line] : lines) result.push_back(std::move(line));
+  return result;
+}
+
 Health health_of(std::span<const Attempt> attempts) {
   Health health;
   std::map<std::string, std::set<std::string>> hashes;

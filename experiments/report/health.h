@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/record/attempt.h"
+#include "experiments/record/audit.h"
 #include "experiments/stats/homogeneity.h"
 
 namespace report {
@@ -33,6 +34,17 @@ struct Health {
 };
 
 inline constexpr double suspicious = 0.01;  ///< ours: five checks over a hundred runs cry wolf once
+
+/// How many audits came to each verdict, in the order of the verdicts; those that never occurred are left
+/// out.
+struct AuditLine {
+  record::Verdict verdict{};
+  std::size_t count = 0;
+  std::string games;  ///< the first five, when something was wrong with them
+  /// "the same hash", "another hash: a team is not deterministic", ...
+  const char* meaning() const;
+};
+std::vector<AuditLine> audit_lines(std::span<const record::Audit> audits);
 
 Health health_of(std::span<const record::Attempt> attempts);
 

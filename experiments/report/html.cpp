@@ -186,6 +186,23 @@ std::string drawings(const Page& page) {
   return text + "</div>\n";
 }
 
+std::string audit_section(std::span<const record::Audit> audits) {
+  std::string text = "<h3>Do games played again go the same way?</h3>\n";
+  if (audits.empty()) {
+    return text +
+           "<p class=\"dim small\">No game was played again (limits.audited is the share that is).</p>\n";
+  }
+  text += fmt::format("<p>{} game{} played again to compare hashes.</p>\n<table>", audits.size(),
+                      audits.size() == 1 ? " was" : "s were") +
+          heads({"games", "finding", "which"}) + "<tbody>\n";
+  for (const AuditLine& line : audit_lines(audits)) {
+    const bool bad = line.verdict != record::Verdict::Same;
+    text += std::string("<tr") + (bad ? " class=\"bad\"" : "") + ">" + cell(std::to_string(line.count)) +
+            cell(line.meaning(), "left wrap") + cell(line.games, "left wrap") + "</tr>\n";
+  }
+  return text + "</tbody></table>\n";
+}
+
 std::string health_section(const Health& health, const Summary& summary) {
   std::string text = "<h2>Health of the run</h2>\n";
   text += fmt::format(
@@ -224,7 +241,7 @@ std::string health_section(const Health& health, const Summary& summary) {
                    : std::string("too few games to say"),
                "left wrap") +
           "</tr>\n</tbody></table>\n";
-  return text;
+  return text + audit_section(summary.header.audits);
 }
 
 std::string games(std::span<const record::Attempt> attempts) {

@@ -42,6 +42,12 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+std::string comment(const std::string& text) {
+  std::string result = "% ";
+  for (const char letter : text) result += letter == '\n' ? std::string("\n% ") : std::string(1, letter);
+  return result + "\n";
+}
+
 std::string share(std::int64_t count, std::int64_t games) {
   return games > 0 ? fmt::format("{:.2f}", 100.0 * static_cast<double>(count) / static_cast<double>(games))
                    : "--";
@@ -94,14 +100,30 @@ std::string statistics(const Row& row) {
       "\n% match statistics, " + row.condition +
       "\n\\begin{tabular}{lrrrcr}\n\\toprule\na game & A & B & A $-$ B & 95 \\% & Holm $p$ \\\\\n\\midrule\n";
   for (const Comparison& one : row.comparisons) {
-    text += fmt::format("{} & {} & {} & ${}$ & {} & {} \\\\\n", escaped(one.label),
-                        with_error(one.a, one.decimals), with_error(one.b, one.decimals),
-                        signed_number(one.test.difference, one.decimals),
+    const bool part = one.label.starts_with(' ');
+    text += fmt::format("{}{} & {} & {} & ${}$ & {} & {} \\\\\n", part ? "\\quad " : "",
+                        escaped(part ? one.label.substr(2) : one.label), with_error(one.a, one.decimals),
+                        with_error(one.b, one.decimals), signed_number(one.test.difference, one.decimals),
                         bracketed(one.test.interval, one.decimals), escaped(p_value(one.p_holm)));
   }
   for (const GameNumber& one : row.game_numbers) {
     text += fmt::format("{} & \\multicolumn{{2}}{{c}}{{{}}} & & & \\\\\n", escaped(one.label),
                         with_error(one.value, one.decimals));
+  }
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+std::string panel(const PanelComparison& found) {
+  std::string text = comment(found.sentence()) +
+                     "\\begin{tabular}{lrrrrcrc}\n\\toprule\n"
+                     "opponent & pairs & A & B & A $-$ B & 95 \\% & $p$ & win \\% A $-$ B, 95 \\% \\\\\n"
+                     "\\midrule\n";
+  for (const PanelComparison::Line& line : found.lines) {
+    text +=
+        fmt::format("{} & {} & {} & {} & ${}$ & {} & {} & ${}$ {} \\\\\n", escaped(line.opponent), line.pairs,
+                    with_error(line.a, 2), with_error(line.b, 2), signed_number(line.test.difference, 2),
+                    bracketed(line.test.interval), escaped(p_value(line.test.p)),
+                    signed_number(100 * line.win_share, 1), interval(line.win_share_interval, 100, 1));
   }
   return text + "\\bottomrule\n\\end{tabular}\n";
 }
@@ -120,12 +142,6 @@ std::string trends(const std::vector<Sweep>& sweeps) {
   return text + "\\bottomrule\n\\end{tabular}\n";
 }
 
-std::string comment(const std::string& text) {
-  std::string result = "% ";
-  for (const char letter : text) result += letter == '\n' ? std::string("\n% ") : std::string(1, letter);
-  return result + "\n";
-}
-
 }  // namespace
 
 std::string as_latex(const Summary& summary) {
@@ -141,6 +157,7 @@ std::string as_latex(const Summary& summary) {
   if (!summary.without_forfeits.empty()) {
     text += "\n% the pairs without forfeits alone\n" + table(header, summary.without_forfeits);
   }
+  for (const PanelComparison& one : summary.panels) text += "\n" + panel(one);
   if (!summary.sweeps.empty()) text += trends(summary.sweeps);
   for (const Row& row : summary.rows) {
     if (!row.comparisons.empty()) text += statistics(row);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/record/attempt.h"
+#include "experiments/record/audit.h"
 #include "experiments/record/match_config.h"
 #include "experiments/report/comparison.h"
 #include "experiments/report/panel.h"
@@ -45,9 +46,10 @@ struct Header {
   int forfeit_goals = 3;
   std::string experiment;  ///< hash
   std::vector<Condition> conditions;
-  std::string stopping{};              ///< the stopping rule in one line; empty: a fixed number of games
-  std::vector<std::string> answers{};  ///< where its questions stand, estimates corrected for the stopping
-  std::vector<std::string> remarks{};  ///< what else a reader must know: audits that differ, and the like
+  std::string stopping{};               ///< the stopping rule in one line; empty: a fixed number of games
+  std::vector<std::string> answers{};   ///< where its questions stand, estimates corrected for the stopping
+  std::vector<std::string> remarks{};   ///< what else a reader must know: audits that differ, and the like
+  std::vector<record::Audit> audits{};  ///< games that were played again to compare hashes
 };
 
 /// One team in the games of one condition.

@@ -33,6 +33,7 @@ class Audits {
 
   void add(const record::Attempt& attempt) { waiting_.push_back({attempt, false, {}}); }
 
+  bool empty() const { return waiting_.empty(); }
   /// The next to play.
   std::optional<AuditStep> next();
 

@@ -1,6 +1,7 @@
 #include "experiments/runner/preflight.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace runner {
@@ -8,6 +9,7 @@ namespace {
 
 constexpr double half_length = 15;  // [s]: both teams take a kickoff; with its stops about 1.5 simulated
                                     // minutes, half a second of a processor
+constexpr std::size_t times = 2;    // each, to compare the hashes
 
 }  // namespace
 
@@ -28,6 +30,34 @@ std::vector<PreflightGame> preflight_games(const schedule::Design& design) {
     games.push_back({std::move(job)});
   }
   return games;
+}
+
+std::optional<int> play_preflight(std::vector<PreflightGame>& games, Crew& crew, const ResultFolder& folder,
+                                  const std::function<std::string()>& date,
+                                  const std::function<std::optional<int>()>& look) {
+  const std::size_t all = times * games.size();
+  std::vector<std::size_t> playing(crew.places());
+  for (std::size_t begun = 0, ended = 0; ended < all;) {
+    for (; crew.has_room() && begun < all; ++begun) {
+      PreflightGame& game = games[begun / times];
+      const std::filesystem::path place = folder.preflight() / std::to_string(begun);
+      try {
+        playing[crew.start(Purpose::Preflight, game.job, place, date())] = begun / times;
+      } catch (const std::runtime_error& error) {
+        game.records.push_back(never_started(error));
+        ++ended;
+      }
+    }
+    if (const auto signal = look()) {
+      crew.end();
+      return signal;
+    }
+    for (Crew::Ended& one : crew.collect()) {
+      games[playing[one.slot]].records.push_back(std::move(one.attempt.record));
+      ++ended;
+    }
+  }
+  return std::nullopt;
 }
 
 PreflightFinding judged(const PreflightGame& game) {

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "experiments/record/match_record.h"
+#include "experiments/runner/crew.h"
 #include "experiments/runner/plan.h"
+#include "experiments/runner/result_folder.h"
 
 namespace runner {
 
@@ -15,6 +20,14 @@ struct PreflightGame {
 
 /// One short game for every two programs that meet in the design.
 std::vector<PreflightGame> preflight_games(const schedule::Design& design);
+
+/// Plays each of them twice and fills in their records.
+///
+/// @param look  called every 20 ms or so; the number of a signal ends the crew
+/// @return      that number
+std::optional<int> play_preflight(std::vector<PreflightGame>& games, Crew& crew, const ResultFolder& folder,
+                                  const std::function<std::string()>& date,
+                                  const std::function<std::optional<int>()>& look);
 
 /// What a look at the records says.
 struct PreflightFinding {

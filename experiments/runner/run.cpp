@@ -10,10 +10,12 @@
 #include "experiments/process/family.h"
 #include "experiments/process/program.h"
 #include "experiments/record/ledger.h"
-#include "experiments/runner/audit.h"
+#include "experiments/runner/auditor.h"
 #include "experiments/runner/breaker.h"
 #include "experiments/runner/crew.h"
+#include "experiments/runner/disk_watch.h"
 #include "experiments/runner/evidence.h"
+#include "experiments/runner/leftovers.h"
 #include "experiments/runner/manifest.h"
 #include "experiments/runner/plan.h"
 #include "experiments/runner/preflight.h"
@@ -35,12 +37,6 @@ using Clock = std::chrono::steady_clock;
 // How often the workers are looked at: well below the time of a game, and too seldom to disturb it.
 constexpr std::chrono::milliseconds look{20};
 
-std::string worker_problem(const std::exception& error) {
-  return std::string("the worker could not be started: ") + error.what();
-}
-
-std::string mebibytes(std::int64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
-
 WorkerLimits limits_of(const RunOptions& options) {
   WorkerLimits limits = worker_limits(options.limits);
   limits.start_up = options.start_up;
@@ -48,67 +44,33 @@ WorkerLimits limits_of(const RunOptions& options) {
   return limits;
 }
 
-/// "1 process", "3 processes"
-std::string processes(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " process" : " processes");
-}
-
-/// Ends whatever games of this folder have left behind, now and when it goes: also when an error ends the
-/// run.
-class Leftovers {
- public:
-  explicit Leftovers(const ResultFolder& folder)
-      : mark_(game_variable + ("=" + folder.path().string() + "/")), not_ours_(process::children()) {
-    process::adopt_orphans();
-  }
-  Leftovers(const Leftovers&) = delete;
-  Leftovers& operator=(const Leftovers&) = delete;
-  ~Leftovers() { end(); }
-
-  std::size_t end() const {
-    const std::size_t marked = process::end_started_with(mark_);
-    return marked + process::end_adopted(not_ours_);
-  }
-
-  /// Reaps orphans that have died.
-  void reap(std::vector<pid_t> held) const {
-    held.insert(held.end(), not_ours_.begin(), not_ours_.end());
-    process::reap_adopted(held);
-  }
-
- private:
-  std::string mark_;
-  std::vector<pid_t> not_ours_;  ///< children there were before the run
-};
-
 /// One run from the moment its ledger is open.
 class Run {
  public:
   Run(const schedule::Design& design, const RunOptions& options, const ResultFolder& folder,
-      record::Ledger& ledger, std::span<const ProgramFile> files, std::ostream& out)
+      record::Ledger& ledger, std::span<const record::Attempt> before, std::span<const ProgramFile> files,
+      std::ostream& out)
       : design_(design),
         options_(options),
         folder_(folder),
         ledger_(ledger),
         experiment_(ledger.experiment().hash),
-        before_(ledger.attempts()),
-        audited_(ledger.audits()),
-        plan_(design, before_),
+        plan_(design, before),
         watch_(design),
         progress_(out, options.terminal, design, plan_.total(), plan_.resolved()),
         breaker_(options.limits, plan_.total()),
-        evidence_(folder, options.limits.kept_logs << 20, before_),
+        evidence_(folder, options.limits.kept_logs << 20, before),
         programs_(files),
-        leftovers_(folder),
+        leftovers_(folder.path()),
         crew_(options.worker_command, limits_of(options), options.workers, folder.scratch_note()),
-        steps_(crew_.places()),
+        auditor_(design, folder, ledger, options.limits.audited, before, crew_.places()),
+        disk_(folder.path(), options.limits.free_disk << 20, options.free_bytes, options.disk_patience),
         refresher_(options.refresh_command, options.refresh_interval, folder.path() / "refresh.log") {
-    for (const record::Attempt& attempt : before_) {
+    for (const record::Attempt& attempt : before) {
       progress_.known(attempt);
       count(attempt);
       stop_where_answered(attempt);
     }
-    take_audits_up_again();
     status_.experiment = experiment_;
     status_.process = static_cast<int>(::getpid());
     status_.started = options.date();
@@ -122,7 +84,7 @@ class Run {
       return finish(result);
     }
     state_ = "running";
-    while (start_games() > 0 || waiting_for_disk_) {
+    while (start_games() > 0 || disk_.waiting()) {
       if (const auto signal = signals_.wait(look)) {
         if (signal_) break;  // the second
         drain(*signal);
@@ -154,31 +116,24 @@ class Run {
 
   // --- disk
 
-  std::string disk_sentence(std::int64_t bytes) const {
-    return "the disk of " + folder_.path().string() + " has " + mebibytes(bytes) + " left, " +
-           mebibytes(options_.limits.free_disk << 20) + " are needed (limits.free_disk)";
-  }
-
-  bool disk_is_full(std::int64_t bytes) const { return bytes < options_.limits.free_disk << 20; }
-
   void check_disk_at_start() {
-    status_.free_disk = options_.free_bytes(folder_.path());
-    if (disk_is_full(status_.free_disk)) {
-      give_up(disk_sentence(status_.free_disk) + "; make room and start again");
+    if (disk_.look(Clock::now(), true) == DiskWatch::News::Full) {
+      give_up(disk_.sentence() + "; make room and start again");
     }
   }
 
-  /// No game is started on a full disk; running ones may end. Room may come back by itself.
   void look_at_disk(Clock::time_point now) {
-    status_.free_disk = options_.free_bytes(folder_.path());
-    if (!disk_is_full(status_.free_disk)) {
-      if (waiting_for_disk_) progress_.say("there is room on the disk again: going on");
-      waiting_for_disk_.reset();
-    } else if (!waiting_for_disk_) {
-      waiting_for_disk_ = now;
-      progress_.say(disk_sentence(status_.free_disk) + ": no game is started until there is more");
-    } else if (now - *waiting_for_disk_ > options_.disk_patience && crew_.running() == 0) {
-      give_up(disk_sentence(status_.free_disk) + "; make room and start again, nothing is lost");
+    switch (disk_.look(now, crew_.running() == 0)) {
+      case DiskWatch::News::None:
+        break;
+      case DiskWatch::News::Full:
+        progress_.say(disk_.sentence() + ": no game is started until there is more");
+        break;
+      case DiskWatch::News::Room:
+        progress_.say("there is room on the disk again: going on");
+        break;
+      case DiskWatch::News::GiveUp:
+        give_up(disk_.sentence() + "; make room and start again, nothing is lost");
     }
   }
 
@@ -194,13 +149,19 @@ class Run {
 
   // --- games
 
-  bool may_start() const { return !signal_ && !waiting_for_disk_ && !breaker_.tripped(); }
+  bool may_start() const { return !signal_ && !disk_.waiting() && !breaker_.tripped(); }
 
   /// Fills the free places; returns how many games are running.
   std::size_t start_games() {
     while (crew_.has_room() && may_start() && (start_audit() || start_game())) {
     }
     return crew_.running();
+  }
+
+  bool start_audit() {
+    if (auditor_.idle()) return false;
+    check_programs();
+    return auditor_.start(crew_, options_.date());
   }
 
   bool start_game() {
@@ -219,7 +180,7 @@ class Run {
     try {
       crew_.start(Purpose::Schedule, *std::move(job), place, options_.date());
     } catch (const std::runtime_error& error) {
-      failed.record.reason = worker_problem(error);
+      failed.record.reason = start_problem(error);
       keep(failed);
     }
     return true;
@@ -238,6 +199,11 @@ class Run {
     }
   }
 
+  /// Whoever told us to end has told the worker too.
+  bool cut_short(const Crew::Ended& ended) const {
+    return signal_ && ended.attempt.record.termination == record::Termination::Interrupted;
+  }
+
   void collect() {
     for (Crew::Ended& ended : crew_.collect()) {
       strays_ += ended.strays;
@@ -246,9 +212,9 @@ class Run {
                       " left behind, ended");
       }
       if (ended.purpose == Purpose::Audit) {
-        audit_ended(ended);
-      } else if (signal_ && ended.attempt.record.termination == record::Termination::Interrupted) {
-        // Whoever told us to end has told the worker too: cut short, no row, played again.
+        auditor_.ended(ended, cut_short(ended));
+      } else if (cut_short(ended)) {
+        // No row: played again.
       } else {
         check_programs();  // with the new one the game may have begun
         time_left_.add(ended.seconds);
@@ -270,7 +236,7 @@ class Run {
       progress_.say("the kept games fill " + mebibytes(options_.limits.kept_logs << 20) +
                     " (limits.kept_logs): from now on the oldest go");
     }
-    if (Audits::wanted(attempt, experiment_, options_.limits.audited)) audits_.add(attempt);
+    auditor_.add(attempt);
     const std::vector<std::size_t> answered = stop_where_answered(attempt);
     progress_.left(time_left_.estimate(plan_.total() - plan_.resolved(), crew_.places()));
     progress_.ended(attempt, plan_.resolved());
@@ -300,84 +266,20 @@ class Run {
     if (attempt.record.termination == record::Termination::Finished) hashes_.insert(attempt.record.hash);
   }
 
-  // --- audits
-
-  void take_audits_up_again() {
-    std::set<std::pair<record::GameKey, int>> done;
-    for (const record::Audit& audit : audited_) done.insert({audit.key, audit.attempt});
-    for (const record::Attempt& attempt : before_) {
-      const bool wanted = Audits::wanted(attempt, experiment_, options_.limits.audited);
-      if (wanted && !done.contains({attempt.key, attempt.attempt})) audits_.add(attempt);
-    }
-  }
-
-  bool start_audit() {
-    std::optional<AuditStep> step = audits_.next();
-    if (!step) return false;
-    check_programs();
-    const std::string id = record::game_id(step->original.key);
-    try {
-      const std::size_t slot =
-          crew_.start(Purpose::Audit, audit_job(design_, *step, folder_), folder_.audit(id), options_.date());
-      steps_[slot] = std::move(step);
-    } catch (const std::runtime_error& error) {
-      record::MatchRecord failed;  // of the harness, as it is made
-      failed.reason = worker_problem(error);
-      take_audit(*step, failed);
-    }
-    return true;
-  }
-
-  void audit_ended(const Crew::Ended& ended) {
-    const AuditStep step = *steps_[ended.slot];
-    steps_[ended.slot].reset();
-    if (signal_ && ended.attempt.record.termination == record::Termination::Interrupted) return;
-    folder_.forget_audit(record::game_id(step.original.key));
-    take_audit(step, ended.attempt.record);
-  }
-
-  void take_audit(const AuditStep& step, const record::MatchRecord& record) {
-    const std::string id = record::game_id(step.original.key);
-    const bool replies = kept_replies(folder_.game(id, step.original.attempt)).has_value();
-    if (const auto audit = audits_.ended(step, record, replies)) {
-      ledger_.add(*audit);
-      audited_.push_back(*audit);
-    }
-  }
-
   // --- before, meanwhile, afterwards
 
   /// Short games between the programs; false when the night must not begin.
   bool preflight(RunResult& result) {
     state_ = "preflight";
     std::vector<PreflightGame> games = preflight_games(design_);
-    constexpr std::size_t times = 2;
-    std::vector<std::size_t> playing(crew_.places());
-    for (std::size_t begun = 0, ended_games = 0; ended_games < times * games.size();) {
-      while (crew_.has_room() && begun < times * games.size()) {
-        const std::filesystem::path place = folder_.preflight() / std::to_string(begun);
-        try {
-          playing[crew_.start(Purpose::Preflight, games[begun / times].job, place, options_.date())] =
-              begun / times;
-        } catch (const std::runtime_error& error) {
-          record::MatchRecord failed;
-          failed.reason = worker_problem(error);
-          games[begun / times].records.push_back(failed);
-          ++ended_games;
-        }
-        ++begun;
-      }
-      if (const auto signal = signals_.wait(look)) {
-        crew_.end();
-        result.ending = Ending::Interrupted;
-        result.signal = *signal;
-        return false;
-      }
-      for (Crew::Ended& ended : crew_.collect()) {
-        games[playing[ended.slot]].records.push_back(std::move(ended.attempt.record));
-        ++ended_games;
-      }
+    const auto look_around = [this] {
       keep_house();
+      return signals_.wait(look);
+    };
+    if (const auto signal = play_preflight(games, crew_, folder_, options_.date, look_around)) {
+      result.ending = Ending::Interrupted;
+      result.signal = *signal;
+      return false;
     }
     for (const PreflightGame& game : games) {
       const PreflightFinding finding = judged(game);
@@ -417,18 +319,20 @@ class Run {
   }
 
   void write_status() {
-    status_.state = waiting_for_disk_ ? "waiting-for-disk" : state_;
+    status_.state = disk_.waiting() && state_ == "running" ? "waiting-for-disk" : state_;
     status_.updated = options_.date();
+    status_.free_disk = disk_.free();
     status_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
     status_.games = plan_.total();
     status_.resolved = plan_.resolved();
     status_.given_up_pairs = plan_.given_up_pairs();
     status_.distinct = hashes_.size();
-    status_.audited = audited_.size();
+    status_.audited = auditor_.done().size();
+    const auto differs = [](const record::Audit& audit) {
+      return audit.verdict != record::Verdict::Same && audit.verdict != record::Verdict::Failed;
+    };
     status_.audits_that_differ =
-        static_cast<std::size_t>(std::count_if(audited_.begin(), audited_.end(), [](const auto& audit) {
-          return audit.verdict != record::Verdict::Same && audit.verdict != record::Verdict::Failed;
-        }));
+        static_cast<std::size_t>(std::count_if(auditor_.done().begin(), auditor_.done().end(), differs));
     status_.strays = strays_;
     status_.left = time_left_.estimate(plan_.total() - plan_.resolved(), crew_.places());
     status_.memory = process::resident_memory(::getpid());
@@ -453,7 +357,7 @@ class Run {
       progress_.say(processes(found) + " of the games " + (found == 1 ? "was" : "were") +
                     " still there at the end and had to be ended");
     }
-    if (!audited_.empty()) progress_.say(audit_summary(audited_));
+    if (!auditor_.done().empty()) progress_.say(audit_summary(auditor_.done()));
     switch (result.ending) {
       case Ending::Done:
         state_ = "done";
@@ -468,7 +372,6 @@ class Run {
         state_ = "interrupted";
         break;
     }
-    waiting_for_disk_.reset();
     write_status();
     if (const auto complaint = refresher_.last()) progress_.say(*complaint);
     return result;
@@ -479,8 +382,6 @@ class Run {
   const ResultFolder& folder_;
   record::Ledger& ledger_;
   std::string experiment_;  ///< its hash
-  std::vector<record::Attempt> before_;
-  std::vector<record::Audit> audited_;
   Plan plan_;
   stopping::Watch watch_;
   Progress progress_;
@@ -490,8 +391,8 @@ class Run {
   Signals signals_;
   Leftovers leftovers_;  ///< goes after the crew, whatever happens
   Crew crew_;
-  std::vector<std::optional<AuditStep>> steps_;  ///< by place: what is being audited there
-  Audits audits_;
+  Auditor auditor_;
+  DiskWatch disk_;
   Refresher refresher_;
   TimeLeft time_left_;
   Status status_;
@@ -500,7 +401,6 @@ class Run {
   std::size_t strays_ = 0;
   bool told_of_evidence_ = false;
   std::optional<int> signal_;  ///< the first that came
-  std::optional<Clock::time_point> waiting_for_disk_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point house_kept_{};
 };
@@ -512,7 +412,7 @@ RunResult run(const schedule::Design& design, const RunOptions& options, std::os
   try {
     files.push_back(program_file(process::find_program(options.worker_command.front())));
   } catch (const process::StartError& error) {
-    throw std::invalid_argument(worker_problem(error));
+    throw std::invalid_argument(start_problem(error));
   }
   const std::string hash = experiment_hash(design, files, options.protocol);
 
@@ -522,8 +422,9 @@ RunResult run(const schedule::Design& design, const RunOptions& options, std::os
     write_manifest(folder.manifest(),
                    {hash, design, files, options.version, options.protocol, options.command_line});
   }
-  Run running(design, options, folder, ledger, files, progress);
-  return running.play();
+  return Run(design, options, folder, ledger, ledger.attempts(record::Detail::WithoutTimeline), files,
+             progress)
+      .play();
 }
 
 }  // namespace runner

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/stats/distributions.h"
+
 namespace runner {
 
 void TimeLeft::add(double seconds) {
@@ -18,7 +20,7 @@ std::optional<TimeLeft::Estimate> TimeLeft::estimate(std::size_t games, std::siz
   const auto k = static_cast<double>(count_);
   const auto w = static_cast<double>(std::min(workers, std::max(games, std::size_t{1})));
   const double deviation = std::sqrt(squares_ / (k - 1));
-  const double error = 1.96 * deviation * std::sqrt(n + n * n / k) / w;
+  const double error = stats::t_quantile(0.975, k - 1) * deviation * std::sqrt(n + n * n / k) / w;
   const double seconds = n * mean_ / w;
   return Estimate{seconds, std::max(0.0, seconds - error), seconds + error};
 }

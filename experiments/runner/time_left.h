@@ -19,7 +19,8 @@ class TimeLeft {
   /// For `games` more, `workers` at a time; nothing before the second game.
   ///
   /// Mean m and deviation s of the k games so far: n games on w workers take n m / w, with the error of their
-  /// own scatter and of the mean, s sqrt(n + n^2 / k) / w (normal, games independent). The last games of a
+  /// own scatter and of the mean, s sqrt(n + n^2 / k) / w, times Student's quantile for k - 1 degrees of
+  /// freedom (games independent and normal). The last games of a
   /// run, when not all workers have one, are neglected.
   std::optional<Estimate> estimate(std::size_t games, std::size_t workers) const;
 

@@ -32,7 +32,8 @@ std::string text(std::chrono::milliseconds span) {
   return text.data();
 }
 
-process::Child start(std::vector<std::string> command, const Job& job, const Place& place) {
+process::Child start(std::vector<std::string> command, const WorkerLimits& limits, const Job& job,
+                     const Place& place) {
   fs::remove_all(place.folder);  // of an attempt that was cut short
   fs::create_directories(place.folder);
   std::vector<std::pair<std::string, std::string>> environment = {
@@ -50,6 +51,7 @@ process::Child start(std::vector<std::string> command, const Job& job, const Pla
                          .environment = std::move(environment),
                          .directory = {},
                          .output = log_file(place.folder),
+                         .output_limit = limits.output,
                          .cpu = place.cpu});
 }
 
@@ -70,7 +72,20 @@ WorkerLimits worker_limits(const schedule::Limits& limits) {
   WorkerLimits result;
   result.silence = milliseconds(limits.silence);
   result.game = milliseconds(limits.game);
+  result.output = static_cast<std::size_t>(limits.output) << 20;
   return result;
+}
+
+std::string start_problem(const std::exception& error) {
+  return std::string("the worker could not be started: ") + error.what();
+}
+
+record::MatchRecord never_started(const std::exception& error) {
+  record::MatchRecord record;
+  record.termination = record::Termination::HarnessFault;
+  record.at_fault = record::Party::Harness;
+  record.reason = start_problem(error);
+  return record;
 }
 
 std::string utc_now() {
@@ -83,7 +98,10 @@ std::string utc_now() {
 }
 
 Worker::Worker(const std::vector<std::string>& command, const WorkerLimits& limits, Job job, Place place)
-    : limits_(limits), job_(std::move(job)), place_(std::move(place)), child_(start(command, job_, place_)) {}
+    : limits_(limits),
+      job_(std::move(job)),
+      place_(std::move(place)),
+      child_(start(command, limits_, job_, place_)) {}
 
 double Worker::seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 

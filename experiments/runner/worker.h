@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct WorkerLimits {
   std::chrono::milliseconds game{3'600'000};    ///< for a whole game; usual are 6 to 30 s
   std::chrono::milliseconds grace{2'000};       ///< between TERM and KILL
   std::int64_t memory = std::int64_t{4} << 30;  ///< [bytes] of the worker itself, usual are 50 MB; ours
+  std::size_t output = std::size_t{4} << 20;    ///< [bytes] kept of what the worker prints
 };
 
 /// The same as the design says it.
@@ -87,6 +89,10 @@ class Worker {
   std::size_t strays_ = 0;
   process::Child child_;
 };
+
+/// Why a worker could not be started, in words, and as the record of its game: void, the harness at fault.
+std::string start_problem(const std::exception& error);
+record::MatchRecord never_started(const std::exception& error);
 
 /// Date and time now, UTC, as 2026-11-20T21:00:00Z. For people; nothing is decided by it.
 std::string utc_now();

@@ -77,10 +77,10 @@ void read_hypotheses(TomlTable& table, Stopping& stopping) {
   constexpr double most = 10;  // standard deviations
   read_number(table, "h0", Range::Signed, most, stopping.h0);
   read_number(table, "h1", Range::Signed, most, stopping.h1);
-  constexpr double most_points =
-      0.5;  // beyond it the likelihoods of five classes have no maximum to be found
+  constexpr double most_points = 2;  // nine games in ten won; beyond it the first look decides anyway
   if (stopping.metric == Metric::Points && !(stopping.h1 <= most_points && stopping.h0 >= -most_points)) {
-    table.reject(table.has("h1") ? "h1" : "h0", "must be from -0.5 to 0.5 for points");
+    table.reject(table.has("h1") ? "h1" : "h0",
+                 "must be from -2 to 2 for points, in standard deviations of a game");
   }
   if (!(stopping.h0 < stopping.h1)) {
     table.reject(table.has("h1") ? "h1" : "h0",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,11 @@ Moments moments(std::span<const double> probabilities) {
 }
 
 /// The most likely distribution with sum p_i g_i = 0, given the observed one: p_i = q_i / (1 + x g_i).
-std::vector<double> most_likely(std::span<const double> observed, std::span<const double> g) {
+/// Nothing when all g have the same sign: then there is none.
+std::optional<std::vector<double>> most_likely(std::span<const double> observed, std::span<const double> g) {
+  if (*std::max_element(g.begin(), g.end()) <= 0 || *std::min_element(g.begin(), g.end()) >= 0) {
+    return std::nullopt;
+  }
   const double low = -1 / *std::max_element(g.begin(), g.end());
   const double high = -1 / *std::min_element(g.begin(), g.end());
   const auto equation = [&](double x) {
@@ -49,29 +54,83 @@ std::vector<double> with_expectation(std::span<const double> observed, double s)
   const double step = 1 / static_cast<double>(observed.size() - 1);
   std::vector<double> g(observed.size());
   for (std::size_t i = 0; i < g.size(); ++i) g[i] = static_cast<double>(i) * step - s;
-  return most_likely(observed, g);
+  return *most_likely(observed, g);
 }
 
-/// With (mean - 1/2) / deviation = t: the constraint made linear around the last solution, solved again.
-std::vector<double> with_effect(std::span<const double> observed, double t) {
-  const double step = 1 / static_cast<double>(observed.size() - 1);
+/// The constraint (mean - 1/2) / deviation = t, made linear around a mean and a deviation: sum p_i g_i = 0.
+std::vector<double> linear_constraint(std::size_t classes, double t, double mean, double deviation) {
+  const double step = 1 / static_cast<double>(classes - 1);
+  std::vector<double> g(classes);
+  for (std::size_t i = 0; i < classes; ++i) {
+    const double score = static_cast<double>(i) * step;
+    const double off = (score - mean) / deviation;
+    g[i] = score - 0.5 - t * deviation * (1 + off * off) / 2;
+  }
+  return g;
+}
+
+/// Solved, made linear around the solution, and solved again. Nothing when that leads nowhere, as it does
+/// above t = 0.94: no distribution fulfils the constraint that is linear around equal shares.
+std::optional<std::vector<double>> with_effect_by_rounds(std::span<const double> observed, double t) {
   std::vector<double> found(observed.size(), 1 / static_cast<double>(observed.size()));
-  std::vector<double> g(observed.size());
   for (int round = 0; round < 200; ++round) {
     const Moments now = moments(found);
-    const double deviation = std::sqrt(now.variance);
-    for (std::size_t i = 0; i < g.size(); ++i) {
-      const double score = static_cast<double>(i) * step;
-      const double off = (score - now.mean) / deviation;
-      g[i] = score - 0.5 - t * deviation * (1 + off * off) / 2;
-    }
-    std::vector<double> next = most_likely(observed, g);
+    if (!(now.variance > 0)) return std::nullopt;
+    auto next =
+        most_likely(observed, linear_constraint(observed.size(), t, now.mean, std::sqrt(now.variance)));
+    if (!next) return std::nullopt;
     double change = 0;
-    for (std::size_t i = 0; i < g.size(); ++i) change = std::max(change, std::abs(next[i] - found[i]));
-    found = std::move(next);
-    if (change < 1e-9) break;
+    for (std::size_t i = 0; i < found.size(); ++i) change = std::max(change, std::abs((*next)[i] - found[i]));
+    found = *std::move(next);
+    if (change < 1e-9) return found;
   }
-  return found;
+  return std::nullopt;
+}
+
+/// The same by trying every deviation. A solution is that of its own linear constraint, around the mean
+/// 1/2 + t * deviation; so all of them are zeros of one function of the deviation. The likeliest is taken:
+/// for large t there may be several.
+///
+/// @pre t != 0
+std::vector<double> with_effect_by_scan(std::span<const double> observed, double t) {
+  constexpr int steps = 200;
+  const double largest = 0.5 / std::abs(t);  // the mean is a score, from 0 to 1
+  const auto solved = [&](double deviation) {
+    return most_likely(observed, linear_constraint(observed.size(), t, 0.5 + t * deviation, deviation));
+  };
+  const auto miss = [&](double deviation) -> std::optional<double> {
+    const auto p = solved(deviation);
+    if (!p) return std::nullopt;
+    return moments(*p).mean - 0.5 - t * deviation;
+  };
+  std::vector<double> best;
+  double best_likelihood = 0;
+  std::optional<double> before;
+  for (int i = 1; i < steps; ++i) {
+    const double here = largest * i / steps;
+    const std::optional<double> now = miss(here);
+    if (before && now && *before * *now <= 0) {
+      const double zero =
+          root([&](double x) { return miss(x).value_or(0); }, largest * (i - 1) / steps, here);
+      if (auto p = solved(zero)) {
+        double likelihood = 0;
+        for (std::size_t k = 0; k < p->size(); ++k) likelihood += observed[k] * std::log((*p)[k]);
+        if (best.empty() || likelihood > best_likelihood) {
+          best_likelihood = likelihood;
+          best = *std::move(p);
+        }
+      }
+    }
+    before = now;
+  }
+  assert(!best.empty());
+  return best;
+}
+
+/// The most likely distribution with (mean - 1/2) / deviation = t.
+std::vector<double> with_effect(std::span<const double> observed, double t) {
+  if (auto found = with_effect_by_rounds(observed, t)) return *std::move(found);
+  return with_effect_by_scan(observed, t);
 }
 
 struct Observed {

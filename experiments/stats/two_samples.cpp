@@ -10,9 +10,10 @@ namespace stats {
 namespace {
 
 /// The rest, once difference, standard error and degrees of freedom are there.
-void finish(TTest& test, double confidence) {
+/// @param p_without_spread  when the values are all the same, but not zero
+void finish(TTest& test, double confidence, double p_without_spread) {
   if (test.standard_error == 0) {
-    test.p = test.difference == 0 ? 1 : 0;
+    test.p = test.difference == 0 ? 1 : p_without_spread;
     test.t =
         test.difference == 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), test.difference);
     test.interval = {test.difference, test.difference};
@@ -54,7 +55,7 @@ TTest welch(const Mean& first, const Mean& second, double confidence) {
   const double below =
       v1 * v1 / static_cast<double>(first.count - 1) + v2 * v2 / static_cast<double>(second.count - 1);
   test.freedom = below > 0 ? (v1 + v2) * (v1 + v2) / below : 1;
-  finish(test, confidence);
+  finish(test, confidence, 0);
   return test;
 }
 
@@ -64,7 +65,7 @@ TTest t_test(const Mean& mean, double confidence) {
   test.difference = mean.mean;
   test.standard_error = mean.standard_error;
   test.freedom = static_cast<double>(mean.count - 1);
-  finish(test, confidence);
+  finish(test, confidence, std::exp2(1 - static_cast<double>(mean.count)));
   return test;
 }
 

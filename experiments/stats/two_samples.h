@@ -36,6 +36,9 @@ struct TTest {
 TTest welch(const Mean& first, const Mean& second, double confidence = usual_confidence);
 
 /// A mean against zero: Student's test of the pairs' differences.
+///
+/// n values that are all the same have p = 2^(1 - n), the least that exchanging signs can give: two games
+/// that ended alike prove nothing.
 TTest t_test(const Mean& mean, double confidence = usual_confidence);
 
 }  // namespace stats

@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"run .", ".: cannot be read", 2},
         Mistake{"run bad.toml", "bad.toml:2: realism \"real\" is not known; known are none", 2},
         Mistake{"run good.toml --workers 0", "--workers", 2},
-        Mistake{"run no-team.toml", "condition 'base', team a: program 'no-such-team'", 2},
+        Mistake{"run no-team.toml", "no-team.toml: condition 'base', team a: program 'no-such-team'", 2},
         Mistake{"run good.toml --out /proc/no", "result folder /proc/no: cannot be made", 5},
         Mistake{"play --blue true", "--yellow is required", 2},
         Mistake{"play --blue no-such-team --yellow true", "--blue: program 'no-such-team'", 2},
@@ -129,6 +129,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"realism --set vision.cameras=3", "1, 2, 4, 6 or 8", 2},
         Mistake{"continue nothing.replies", "nothing.replies: cannot be opened", 2},
         Mistake{"continue good.toml", "good.toml: ", 2},
+        Mistake{"report . --html --format csv", "excludes --", 2},
+        Mistake{"compare a b --run x --h1 nan", "--h1: must be a number", 2},
+        Mistake{"compare a b --run x --seed -1", "--seed: must be from 0", 2},
         Mistake{"report .", "./ledger.sqlite: there is no ledger", 5},
         Mistake{"report nowhere", "nowhere/ledger.sqlite: there is no ledger", 5},
         Mistake{"replay . one-0000-0", "there is no ledger", 5}));
@@ -270,6 +273,19 @@ TEST_F(MatchdayProgram, PlanSaysWhyItCouldNotMeasure) {
   EXPECT_THAT(plan.text, HasSubstr("the calibration game ended by a fault: "));
 }
 
+// The whole way of a limit: design, runner, worker, host, log. The team prints 1.2 MB a simulated second and
+// never moves, so its games are void and their files are kept.
+TEST_F(MatchdayProgram, KeepsOfATeamsOutputWhatTheDesignSays) {
+  std::ofstream(folder_ / "talk.toml")
+      << "name = \"talk\"\npairs = 1\n[rules]\nhalf_length = 2.0\n[limits]\noutput = 1\n"
+      << "[teams.a]\ncommand = \"" BIN_DIR "/fake-team --mode chatter\"\n"
+      << "[teams.b]\ncommand = \"" BIN_DIR "/fake-team --mode chatter\"\n";
+  EXPECT_EQ(matchday("run talk.toml --no-preflight --workers 1").code, 4);
+  const auto size = fs::file_size(folder_ / "results/talk/games/base-0000-0/1/blue.log");
+  EXPECT_GE(size, 1U << 20);
+  EXPECT_LT(size, (1U << 20) + (64U << 10)) << "and a sentence that there was more";
+}
+
 TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
   const std::string git = "git -c user.name=test -c user.email=test@example.org ";
   const auto shell = [&](const std::string& line) {
@@ -308,6 +324,19 @@ TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
   const Said absent = matchday("compare main fast --team-repo team --run bin/other --out c");
   EXPECT_EQ(absent.code, 2);
   EXPECT_THAT(absent.text, HasSubstr("program 'bin/other' does not exist in "));
+
+  // Mistakes leave nothing that is in the way of the right command.
+  const Said odd = matchday("compare main fast --team-repo team --run bin/t.sh --out d --games 3");
+  EXPECT_EQ(odd.code, 2);
+  EXPECT_THAT(odd.text, HasSubstr("games = 3: must be even"));
+  EXPECT_FALSE(fs::exists(folder_ / "d"));
+  const Said mended = matchday(
+      "compare main fast --team-repo team --build 'mkdir bin && cp t.sh bin/' --run 'bin/t.sh goals=2' "
+      "--games 4 --out c --worker " BIN_DIR "/coin_worker");
+  EXPECT_EQ(mended.code, 0) << mended.text;
+  const Said other = matchday("compare main fast --team-repo team --run bin/t.sh --games 4 --out c");
+  EXPECT_EQ(other.code, 5) << "there are games of the other command";
+  EXPECT_THAT(other.text, HasSubstr("c/design.toml: is of another comparison"));
 }
 
 TEST_F(MatchdayProgram, PlayOfATeamThatDoesNotConnectIsAForfeitWithItsReason) {

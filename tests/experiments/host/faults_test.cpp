@@ -240,6 +240,19 @@ TEST_F(Faults, WritesGigabytes) {
   std::filesystem::remove_all(config.directory);
 }
 
+// The design's limits.output; 64 KiB are for the sentence that says so.
+TEST_F(Faults, KeepsOfTheOutputWhatItIsTold) {
+  options_.output_limit = std::int64_t{64} << 20;
+  options_.kept_output = std::size_t{1} << 20;
+  auto config = fakes::short_game("good", "gigabytes");
+  config.directory =
+      std::filesystem::path(testing::TempDir()) / ("faults_kept_" + std::to_string(::getpid()));
+  play(config, options_);
+  EXPECT_GE(std::filesystem::file_size(config.directory / "blue.log"), 1U << 20);
+  EXPECT_LT(std::filesystem::file_size(config.directory / "blue.log"), (1U << 20) + (64U << 10));
+  std::filesystem::remove_all(config.directory);
+}
+
 TEST_F(Faults, ATeamThatStandsStillIsNoGameForAnExperiment) {
   auto config = fakes::short_game("wander", "good");
   config.half_length = 1;

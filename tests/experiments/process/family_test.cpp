@@ -52,6 +52,18 @@ TEST_F(Family, FindsProcessesByWhatTheyWereStartedWithInAnySession) {
   EXPECT_TRUE(started_with(entry_ + "a/").empty());
 }
 
+TEST_F(Family, SeesWhoSleepsAndWhoWantsAProcessor) {
+  const Child sleeper = shell("sleep 1000", mark_);
+  ASSERT_TRUE(soon([&] { return !family_activity(sleeper.pid()).wants_machine; }));
+  Child worker = shell("(while :; do :; done) & wait", mark_);  // its child works, itself it sleeps
+  ASSERT_TRUE(soon([&] { return family_activity(worker.pid()).wants_machine; }));
+  const double before = family_activity(worker.pid()).processor_seconds;
+  EXPECT_TRUE(soon([&] { return family_activity(worker.pid()).processor_seconds > before + 0.05; }));
+  EXPECT_LT(family_activity(sleeper.pid()).processor_seconds, 1);
+  worker.stop(0ms);
+  EXPECT_FALSE(family_activity(worker.pid()).wants_machine) << "there is no such process any more";
+}
+
 TEST_F(Family, EndsOnlyThoseThatAreMeant) {
   Child meant = shell("exec sleep 1000", mark_ + "1/");
   Child other = shell("exec sleep 1000", mark_ + "11/");

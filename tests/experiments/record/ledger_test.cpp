@@ -55,6 +55,24 @@ TEST_F(LedgerTest, GivesBackWhatWasWrittenAlsoAfterReopening) {
   EXPECT_EQ(Ledger::read(file()).experiment(), experiment_);
 }
 
+// Nine tenths of a full game's record: whoever reads a thousand games for a table must not hold them.
+TEST_F(LedgerTest, LeavesTheTimelinesOutWhenTold) {
+  open().add(example_attempt(0, 0));
+  Attempt expected = example_attempt(0, 0);
+  ASSERT_FALSE(expected.record.timeline.empty());
+  expected.record.timeline.clear();
+  EXPECT_THAT(Ledger::read(file()).attempts(Detail::WithoutTimeline), ElementsAre(expected));
+}
+
+TEST_F(LedgerTest, NamesTheGameWhoseRecordIsDamagedHoweverItIsRead) {
+  open().add(example_attempt(0, 0));
+  SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("UPDATE attempts SET record = '{\"goals\"'");
+  for (const Detail detail : {Detail::Whole, Detail::WithoutTimeline}) {
+    EXPECT_THAT(complaint([&] { Ledger::read(file()).attempts(detail); }),
+                HasSubstr(game_id(example_attempt(0, 0).key) + ", attempt 1 cannot be read"));
+  }
+}
+
 TEST_F(LedgerTest, KeepsAuditsTheLastOfEachAttempt) {
   const Audit same{{"equal", 3, 1}, 1, Verdict::Same, "abc", ""};
   Audit other{{"equal", 2, 0}, 2, Verdict::Failed, "", "the worker died"};

@@ -82,6 +82,21 @@ inline record::Attempt with_statistics(record::Attempt attempt, int shots) {
   return attempt;
 }
 
+/// A ("equal") and B ("hindered") against the same opponent: A is 2, 3, 4 goals better in three pairs.
+inline Summary panel_example() {
+  Header header = example_header();
+  header.conditions[0].panel = Header::Condition::Panel{"league", "the_rest", 'a'};
+  header.conditions[1].panel = Header::Condition::Panel{"league", "the_rest", 'b'};
+  std::vector<record::Attempt> games;
+  for (int pair = 0; pair < 3; ++pair) {
+    for (int leg = 0; leg < 2; ++leg) {
+      games.push_back(with_statistics(game("equal", pair, leg, 3 + pair, 0), 5 + pair));
+      games.push_back(game("hindered", pair, leg, 1, 0));
+    }
+  }
+  return summarise(header, games);
+}
+
 /// B at 0.3, 0.6 and 0.9 of its speed: A wins by 4, 2 and 0 goals, each game a little different.
 inline Summary sweep_example() {
   Header header = example_header();

@@ -147,8 +147,44 @@ TEST(Latex, HasBalancedTabularsAndEscapesNames) {
     return found;
   };
   EXPECT_EQ(count("\\begin{tabular}"), count("\\end{tabular}"));
+  EXPECT_THAT(text, HasSubstr("\n\\quad AimlessKick & ")) << "a kind of the line above";
   EXPECT_EQ(count("\\begin{tabular}"), 5U) << "results, trends, three conditions' statistics";
   EXPECT_THAT(text, HasSubstr("$4.00 \\pm 0.00$"));
+}
+
+// A's goal differences 3 4 5, B's 1 1 1: 2 3 4 better, mean 3, standard error 1 / sqrt(3),
+// t(0.975, 2) = 4.303 of them: 3 -+ 2.48.
+TEST(Csv, HasALineForEveryComparisonOfAPanelInTheSameColumns) {
+  std::istringstream lines(as_csv(panel_example()));
+  std::vector<std::vector<std::string>> table;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line);
+    for (table.emplace_back(); std::getline(cells, line, ',');) table.back().push_back(line);
+  }
+  ASSERT_EQ(table.size(), 4U) << "names, two conditions, one comparison";
+  EXPECT_EQ(table[3][0], "panel");
+  EXPECT_EQ(table[3][1], "\"league: A minus B against the_rest\"");
+  const auto column = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(table[0].begin(), table[0].end(), name) - table[0].begin());
+  };
+  EXPECT_DOUBLE_EQ(std::stod(table[3].at(column("goal_difference"))), 3);
+  EXPECT_NEAR(std::stod(table[3].at(column("goal_difference_t_low"))), 3 - 2.484, 0.001);
+  EXPECT_EQ(table[3].at(column("pairs")), "3");
+}
+
+TEST(Latex, HasThePanels) {
+  const std::string text = as_latex(panel_example());
+  EXPECT_THAT(text,
+              HasSubstr("the\\_rest & 3 & $4.00 \\pm 0.58$ & $1.00 \\pm 0.00$ & $+3.00$ & [0.52, 5.48] & "
+                        "0.035 & $+0.0$ ["));
+}
+
+TEST(Json, CountsTheAudits) {
+  Summary summary = example();
+  summary.header.audits = {{{"equal", 0, 0}, 1, record::Verdict::Same, "x", ""},
+                           {{"equal", 1, 0}, 1, record::Verdict::TeamDiffers, "y", ""},
+                           {{"equal", 2, 0}, 1, record::Verdict::Same, "x", ""}};
+  EXPECT_THAT(as_json(summary), HasSubstr("\"audited\": 3,\n    \"same\": 2,\n    \"team-differs\": 1"));
 }
 
 TEST(Formatted, RefusesWhatItDoesNotKnow) {

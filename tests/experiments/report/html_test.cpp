@@ -43,6 +43,21 @@ TEST(Html, ShowsResultsStatisticsHealthAndGames) {
   EXPECT_THAT(text, HasSubstr("shots on target"));
 }
 
+TEST(Html, ShowsWhatTheAuditsFound) {
+  Summary summary = example();
+  EXPECT_THAT(as_html(page_of(summary, {})), HasSubstr("No game was played again"));
+  for (int pair = 0; pair < 7; ++pair) {
+    const auto verdict = pair == 6 ? record::Verdict::SimulatorDiffers : record::Verdict::TeamDiffers;
+    summary.header.audits.push_back({{"equal", pair, 0}, 1, verdict, "", ""});
+  }
+  const std::string text = as_html(page_of(summary, {}));
+  EXPECT_THAT(text, HasSubstr("7 games were played again to compare hashes"));
+  EXPECT_THAT(text, HasSubstr("equal-0003-0, equal-0004-0, ...</td>")) << "five are named, the sixth is not";
+  EXPECT_THAT(text, HasSubstr("<td>6</td>"));
+  EXPECT_THAT(text, HasSubstr("A MISTAKE OF MATCHDAY"));
+  EXPECT_THAT(text, Not(HasSubstr("the same hash</td>")));
+}
+
 // Opens from a disk without a network: nothing is loaded from anywhere.
 TEST(Html, NeedsNothingButItself) {
   Page page = page_of(sweep_example(), {});
@@ -60,6 +75,7 @@ TEST(Html, ClosesWhatItOpens) {
   const std::vector<record::Attempt> games = {forfeit_by_a(with_statistics(game("equal", 0, 0, 3, 0), 5)),
                                               game("equal", 0, 1, 2, 2), spoilt(game("equal", 1, 0, 0, 0))};
   Page page = page_of(summarise(example_header(), games), games);
+  page.summary.header.audits = {{{"equal", 0, 0}, 1, record::Verdict::Failed, "", "the worker died"}};
   page.manifest = "{}";
   const std::string text = as_html(page);
   for (const std::string tag :

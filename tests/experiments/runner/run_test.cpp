@@ -127,6 +127,17 @@ INSTANTIATE_TEST_SUITE_P(All, RunFault,
                                          Fault{"nonsense", "left no usable result"}),
                          [](const auto& instance) { return std::string(instance.param.how); });
 
+TEST(WorkerLimits, AreTheDesigns) {
+  schedule::Limits limits;
+  limits.silence = 7;
+  limits.game = 70;
+  limits.output = 9;
+  const WorkerLimits found = worker_limits(limits);
+  EXPECT_EQ(found.silence, std::chrono::seconds{7});
+  EXPECT_EQ(found.game, std::chrono::seconds{70});
+  EXPECT_EQ(found.output, std::size_t{9} << 20);
+}
+
 TEST_F(RunTest, CountsAForfeitAndKeepsItsFiles) {
   EXPECT_EQ(play(options("a", {"--fail", "first", "--how", "forfeit"})), Ending::Done);
   EXPECT_EQ(table("a").size(), 16U);

@@ -66,6 +66,49 @@ TEST(MultinomialLlr, ChangesSignWhenTeamsAndHypothesesAreMirrored) {
   EXPECT_NEAR(multinomial_llr(here, 0.5, 0.6), multinomial_llr(there, 0.5, 0.4), 1e-9);
 }
 
+/// Likelihood of won, drawn and lost games under the likeliest shares with (mean - 1/2) / deviation = t, by
+/// trying all shares of wins; that of losses follows.
+double best_trinomial(std::span<const double> seen, double t) {
+  double best = -1e9;
+  for (double w = 0.0005; w < 1; w += 0.0005) {
+    double low = 1e-12;
+    double high = 1 - w - 1e-12;
+    const auto effect = [&](double l) {
+      const double mean = 0.5 + (w - l) / 2;
+      return (mean - 0.5) / std::sqrt(w + (1 - w - l) / 4 - mean * mean);
+    };
+    if (effect(low) < t || effect(high) > t) continue;
+    for (int i = 0; i < 60; ++i) (effect((low + high) / 2) > t ? low : high) = (low + high) / 2;
+    best = std::max(best, seen[0] * std::log(low) + seen[1] * std::log(1 - w - low) + seen[2] * std::log(w));
+  }
+  return best;
+}
+
+// A second method, also where the usual rounds lead nowhere (t above 0.94). The grid of 0.0005 misses a
+// maximum by its square times a few hundred games' curvature at most.
+TEST(MultinomialLlr, FindsTheMostLikelyDistributionForLargeEffectsToo) {
+  for (const std::array<double, 3>& seen : {std::array<double, 3>{5, 6, 9}, {1, 4, 15}, {10, 10, 10}}) {
+    for (const Hypotheses& hypotheses : {Hypotheses{0, 0.7}, {0, 1.2}, {0.5, 2.5}, {-2, 1}}) {
+      EXPECT_NEAR(multinomial_llr(seen, hypotheses),
+                  best_trinomial(seen, hypotheses.t1) - best_trinomial(seen, hypotheses.t0), 0.01)
+          << seen[2] << " wins, t " << hypotheses.t0 << ", " << hypotheses.t1;
+    }
+  }
+}
+
+TEST(MultinomialLlr, HasAnAnswerForEveryKindOfCountsAndEffects) {
+  for (int kind = 1; kind < 243; ++kind) {  // every way to have none, one or many of each score
+    Pentanomial counts{};
+    for (int i = 0, rest = kind; i < 5; ++i, rest /= 3) {
+      counts.at(static_cast<std::size_t>(i)) =
+          std::array<double, 3>{0, 1, 40}.at(static_cast<std::size_t>(rest % 3));
+    }
+    for (const double t : {-2.83, -1.0, 0.3, 0.94, 1.41, 2.83}) {
+      EXPECT_TRUE(std::isfinite(multinomial_llr(counts, Hypotheses{0, t}))) << kind << ", " << t;
+    }
+  }
+}
+
 /// The scores of a table of counts, one by one.
 Mean scores_of(const Pentanomial& counts) {
   std::vector<double> scores;
@@ -227,6 +270,45 @@ TEST(SequentialTest, KeepsItsErrorRatesAndItsLength) {
     EXPECT_GT(length, 132.5 - 9.5);
     EXPECT_LT(length, 146 + 9.5);
   }
+}
+
+// Points, hypotheses 0 and 1.41 (one deviation of a game). Shares of equal teams, and shares with mean
+// 0.78 and variance 0.0391: t = 0.28 / 0.198 = 1.416. Few pairs decide, so steps are large; allowed errors
+// 0.05, asked of 400 tests: 0.05 and three standard deviations of a share, 0.033.
+TEST(SequentialTest, OfPointsKeepsItsErrorRatesForLargeEffects) {
+  SequentialPlan plan;
+  plan.metric = Metric::Points;
+  plan.hypotheses = {0, 1.41};
+  plan.first_look = 4;
+  plan.cap = 60;
+  const std::array<double, 5> equal = {0.1, 0.2, 0.4, 0.2, 0.1};
+  const std::array<double, 5> better = {0, 0.02, 0.2, 0.42, 0.36};
+  Mean of_better;
+  double squares = 0;
+  for (std::size_t i = 0; i < 5; ++i) {
+    of_better.mean += better.at(i) * static_cast<double>(i) / 4;
+    squares += better.at(i) * static_cast<double>(i * i) / 16;
+  }
+  ASSERT_NEAR((of_better.mean - 0.5) / std::sqrt(squares - of_better.mean * of_better.mean), 1.41, 0.01);
+  const auto accepted = [&](const std::array<double, 5>& shares, std::uint64_t seed) {
+    Random random(seed);
+    int count = 0;
+    for (int test = 0; test < 400; ++test) {
+      std::vector<double> scores(static_cast<std::size_t>(plan.cap));
+      for (double& score : scores) {
+        double rest = random.uniform();
+        std::size_t i = 0;
+        while (i < 4 && rest >= shares.at(i)) rest -= shares.at(i++);
+        score = static_cast<double>(i) / 4;
+      }
+      const SequentialState state = sequential_test(scores, plan);
+      EXPECT_NE(state.decision, Decision::Undecided);
+      count += state.decision == Decision::AcceptH1 ? 1 : 0;
+    }
+    return count / 400.0;
+  };
+  EXPECT_LT(accepted(equal, 1), 0.05 + 0.033);
+  EXPECT_GT(accepted(better, 2), 0.95 - 0.033);
 }
 
 // Wald's numbers are for steps of the same deviation everywhere; that of the t-test grows with t, by t^2 / 2.

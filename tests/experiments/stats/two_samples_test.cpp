@@ -47,9 +47,11 @@ TEST(TTest, GivesThePublishedPairedTestOfStudentsData) {
   EXPECT_NEAR(test.interval.high, -0.7001142, 5e-7);
 }
 
-TEST(TTest, SaysNothingOfOneValueAndEverythingOfEqualOnes) {
+// Equal values: one of the 2^n ways to set their signs is as far to either side.
+TEST(TTest, SaysNothingOfOneValueAndOfEqualOnesWhatTheirNumberAllows) {
   EXPECT_EQ(t_test(mean_of(std::array{3.0})).p, 1);
-  EXPECT_EQ(t_test(mean_of(std::array{3.0, 3.0})).p, 0);
+  EXPECT_EQ(t_test(mean_of(std::array{3.0, 3.0})).p, 0.5);
+  EXPECT_EQ(t_test(mean_of(std::array{-3.0, -3.0, -3.0, -3.0})).p, 0.125);
   EXPECT_EQ(t_test(mean_of(std::array{0.0, 0.0})).p, 1);
   EXPECT_EQ(welch(mean_of(drug1), mean_of(std::array{3.0})).p, 1);
 }

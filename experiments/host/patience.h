@@ -1,0 +1,54 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "experiments/process/family.h"
+
+namespace host {
+
+/// How long a team may take for something, in its own time: while it sleeps or computes the clock counts,
+/// while it only waits for a processor or a disk it does not, and neither while the host itself stands still.
+///
+/// So a machine under load, or one that was suspended, makes no good team a bad one, and a team that is
+/// silent on a quiet machine has exactly the time allowed. Looked at every 0.1 s; who answers sooner costs
+/// nothing.
+class Patience {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Activity = std::function<process::Activity()>;
+  // So many times the time allowed may pass on the clock, and at least so long; then it is the machine's
+  // fault. Ours: 30 s for a reply is below the minute after which a runner takes a game for stuck.
+  static constexpr int longest = 6;
+  static constexpr std::chrono::seconds at_least{30};
+
+  /// The team's time begins.
+  void begin(std::chrono::milliseconds allowed, Clock::time_point now);
+  /// It has done what it should.
+  void end() { active_ = false; }
+
+  /// To be called every 10 ms or so while waiting.
+  /// @param activity  of the team's processes; asked for every 0.1 s at most
+  void count(Clock::time_point now, const Activity& activity);
+
+  bool is_over() const { return own_ >= allowed_; }
+  /// It has hardly been able to do anything, for much longer than allowed.
+  bool machine_is_too_slow() const;
+
+  /// " within 5 s", and how long it was on the clock when that is much more.
+  std::string within() const;
+  /// "in 30 s it could use only 0.4 s"
+  std::string starved() const;
+
+ private:
+  bool active_ = false;
+  Clock::duration allowed_{};
+  Clock::time_point begin_{};
+  Clock::time_point seen_{};  ///< the last look
+  Clock::duration own_{};     ///< what counts so far
+  bool known_ = false;        ///< the next one is of this waiting
+  double processor_ = 0;      ///< [s] used by the last look
+};
+
+}  // namespace host

@@ -1,0 +1,59 @@
+#include "experiments/runner/auditor.h"
+
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+namespace runner {
+
+Auditor::Auditor(const schedule::Design& design, const ResultFolder& folder, record::Ledger& ledger,
+                 double share, std::span<const record::Attempt> before, std::size_t places)
+    : design_(design),
+      folder_(folder),
+      ledger_(ledger),
+      experiment_(ledger.experiment().hash),
+      share_(share),
+      steps_(places),
+      done_(ledger.audits()) {
+  std::set<std::pair<record::GameKey, int>> known;
+  for (const record::Audit& audit : done_) known.insert({audit.key, audit.attempt});
+  for (const record::Attempt& attempt : before) {
+    if (!known.contains({attempt.key, attempt.attempt})) add(attempt);
+  }
+}
+
+void Auditor::add(const record::Attempt& attempt) {
+  if (Audits::wanted(attempt, experiment_, share_)) waiting_.add(attempt);
+}
+
+bool Auditor::start(Crew& crew, const std::string& date) {
+  std::optional<AuditStep> step = waiting_.next();
+  if (!step) return false;
+  const std::string id = record::game_id(step->original.key);
+  try {
+    const std::size_t slot =
+        crew.start(Purpose::Audit, audit_job(design_, *step, folder_), folder_.audit(id), date);
+    steps_[slot] = std::move(step);
+  } catch (const std::runtime_error& error) {
+    take(*step, never_started(error));
+  }
+  return true;
+}
+
+void Auditor::ended(const Crew::Ended& ended, bool cut_short) {
+  const AuditStep step = *std::exchange(steps_[ended.slot], std::nullopt);
+  if (cut_short) return;
+  folder_.forget_audit(record::game_id(step.original.key));
+  take(step, ended.attempt.record);
+}
+
+void Auditor::take(const AuditStep& step, const record::MatchRecord& record) {
+  const std::string id = record::game_id(step.original.key);
+  const bool replies = kept_replies(folder_.game(id, step.original.attempt)).has_value();
+  if (const auto audit = waiting_.ended(step, record, replies)) {
+    ledger_.add(*audit);
+    done_.push_back(*audit);
+  }
+}
+
+}  // namespace runner
