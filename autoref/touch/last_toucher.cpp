@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "autoref/touch/origin.h"
+
 namespace touch {
 namespace {
 
@@ -11,6 +13,7 @@ constexpr double sure = 0.5;    // a touch worth telling at once; ours
 constexpr double news = 0.05;   // change of a probability worth telling; ours
 
 constexpr double robot_height = 0.15;  // [m] laws of 2015, Law 4 (reference "requirements", R-3.2-1)
+constexpr double gravity = 9.81;       // [m/s^2]
 constexpr world::Duration one_contact =
     std::chrono::milliseconds{100};  // a longer pause ends a contact; ours
 
@@ -25,6 +28,7 @@ void LastToucher::reset() {
   visit_.reset();
   belief_.fill(0);
   told_.reset();
+  flew_.reset();
 }
 
 void LastToucher::update(const world::TrackedFrame& frame, std::span<const world::Detection> images,
@@ -32,11 +36,14 @@ void LastToucher::update(const world::TrackedFrame& frame, std::span<const world
   const View* view = views_.add(frame, images, field_);
   fresh_.reset();
   if (frame.ball && !frame.ball->observed) {
-    judge_hidden(frame);
+    if (!is_out(frame.ball->position.head<2>())) judge_hidden(frame);
     tell({}, out);
     return;
   }
+  if (frame.ball && frame.ball->airborne > 0.5) flew_ = frame.time;
   if (!view || frame.ball->position.z() > robot_height) return;  // above everybody
+  const bool flew = flew_ && frame.time - *flew_ < params_.after_flight;
+  const double airborne = std::max(frame.ball->airborne, flew ? params_.flies_on : 0.0);
   const Sighting& now = (*view)[0];
   if (!visit_ && now.gap < params_.visit) {
     visit_.emplace();
@@ -52,9 +59,13 @@ void LastToucher::update(const world::TrackedFrame& frame, std::span<const world
     visit_->closest = gap;
     visit_->nearest = now.nearest;
   }
-  if ((*view)[2].robot_count > 0 && (*view)[3].robot_count > 0) judge_window(*view, frame.ball->airborne);
+  if ((*view)[2].robot_count > 0 && (*view)[3].robot_count > 0) judge_window(*view, *frame.ball, airborne);
   if (view->clear >= Course::samples) end_visit(*view);
   tell(fresh_, out);
+}
+
+bool LastToucher::is_out(const Vector2d& ball) const {
+  return world::distance_outside_lines(field_, ball) > field_.ball_radius + params_.just_out;
 }
 
 void LastToucher::judge_hidden(const world::TrackedFrame& frame) {
@@ -75,7 +86,7 @@ void LastToucher::judge_hidden(const world::TrackedFrame& frame) {
   }
 }
 
-void LastToucher::judge_window(const View& view, double airborne) {
+void LastToucher::judge_window(const View& view, const world::TrackedBall& ball, double airborne) {
   const Sighting& s3 = view[3];
   const Sighting& s2 = view[2];
   struct Near {
@@ -86,6 +97,7 @@ void LastToucher::judge_window(const View& view, double airborne) {
   std::size_t count = 0;
   const double noise = noise_of(view);
   const Broken broken = fit(view, noise);
+  if (is_out(broken.place)) return;
   const double free = free_density(broken, airborne, std::min(s2.gap, s3.gap) < params_.hiding, params_);
   double sum = free;
   for (std::size_t n = 0; n < s2.robot_count; ++n) {
@@ -99,7 +111,9 @@ void LastToucher::judge_window(const View& view, double airborne) {
     const double gap = hull_gap(local, field_);
     if (gap > params_.visit) continue;
     const Vector2d velocity = moved / world::seconds(s2.time - s3.time);
+    const bool passes = ball.flight && flies_past(ball, world::seconds(view[0].time - s2.time), *r3);
     const double weight =
+        (passes ? params_.unseen_touch : 1 - airborne * params_.too_high) *
         contact_density(broken, {gap, arm.normalized(), velocity, at_front(local)}, noise, free, params_);
     near[count++] = {r2.slot, weight};
     sum += weight;
@@ -125,57 +139,56 @@ void LastToucher::judge_window(const View& view, double airborne) {
   }
 }
 
+bool LastToucher::flies_past(const world::TrackedBall& ball, double ago, const Sighting::Robot& robot) const {
+  const Vector2d there = ball.position.head<2>() - ball.velocity.head<2>() * ago;
+  const double height = ball.position.z() - ball.velocity.z() * ago - gravity / 2 * ago * ago;
+  const double gap = (there - robot.position).norm() - field_.robot_radius - field_.ball_radius;
+  return height > robot_height || gap > params_.flight_gap;
+}
+
 void LastToucher::end_visit(const View& view) {
   const Visit visit = *visit_;
   visit_.reset();
-  if (!visit.course || visit.camera != view.camera || !view.course) return;
-  const double free = passed_freely(*visit.course, *view.course, noise_of(view), params_);
-  const double changed = passage_changed(*visit.course, *view.course, params_);
-  // The windows have said whether it was touched, unless some of it was hidden from them.
-  const double close = std::max(0.0, visit.closest) / params_.trace_sigma;
-  const double frames = world::seconds(view[0].time - visit.begin) / world::tick_length;
-  const double hidden = std::clamp(1 - (visit.windows + 1) / (frames + 1 - Course::samples), 0.0, 1.0);
-  const double prior =
-      std::clamp((1 - visit.untouched) + visit.untouched * hidden * 0.5 * std::exp(-close * close / 2),
-                 params_.least_prior, 1 - params_.least_prior);
-  const double touched = prior * changed / (prior * changed + (1 - prior) * free);
-  if (touched < likely) {
-    belief_ = visit.before;
-    return;
+  if (!view.course) return;
+  const Origin origin = trace_origin(view, noise_of(view), field_);
+  double touched = 1 - visit.untouched;
+  if (visit.course && visit.camera == view.camera) {
+    const double free = passed_freely(*visit.course, *view.course, noise_of(view), params_);
+    const double changed = passage_changed(*visit.course, *view.course, params_);
+    // The windows have said whether it was touched, unless some of it was hidden from them.
+    const double close = std::max(0.0, visit.closest) / params_.trace_sigma;
+    const double frames = world::seconds(view[0].time - visit.begin) / world::tick_length;
+    const double hidden = std::clamp(1 - (visit.windows + 1) / (frames + 1 - Course::samples), 0.0, 1.0);
+    const double prior =
+        std::clamp((1 - visit.untouched) + visit.untouched * hidden * 0.5 * std::exp(-close * close / 2),
+                   params_.least_prior, 1 - params_.least_prior);
+    touched = prior * changed / (prior * changed + (1 - prior) * free);
+    if (touched < likely) {
+      belief_ = visit.before;
+      return;
+    }
   }
+  if (!origin.found || origin.best() < params_.least_fit) return;
   // Whoever touched it last, the ball came from there.
   Beliefs shares{};
-  const double unseen = params_.unseen_touch * (0.02 + visit.untouched);
   double sum = 0;
-  const Sighting& then = view[Course::samples - 1];
-  const auto weigh = [&](std::size_t robot, double trace) {
-    shares[robot] = (visit.within[robot] + unseen) * trace;
-    sum += shares[robot];
-  };
   for (std::size_t n = 0; n < robot_slots; ++n) {
-    if (visit.within[n] > 0 && !then.find(n)) weigh(n, params_.no_trace);
+    const Origin::Candidate* candidate = origin.find(n);
+    const double fit = (candidate ? candidate->fit : 0) + params_.no_origin;
+    shares[n] = touched * (visit.within[n] + (candidate ? params_.unseen_touch : 0)) * fit;
+    sum += shares[n];
   }
-  for (std::size_t n = 0; n < then.robot_count; ++n) {
-    const double off = trace_back(then.robots[n], *view.course) / params_.trace_sigma;
-    weigh(then.robots[n].slot, std::exp(-off * off / 2) + params_.no_trace);
-  }
+  // Or nobody did, and something else bent its course.
+  const double free = (1 - touched + params_.unseen_touch) * params_.bent;
+  sum += free;
   if (!(sum > 0)) return;
-  const Vector2d place = (visit.course->middle + view.course->middle) / 2;
-  const world::Time when = visit.course->time + (view.course->time - visit.course->time) / 2;
   for (std::size_t n = 0; n < robot_slots; ++n) {
     const double share = shares[n] / sum;
-    belief_[n] = (1 - touched) * visit.before[n] + touched * share;
-    if (share > likely && last_[n].time < visit.course->time) remember(n, when, place);
+    belief_[n] = free / sum * visit.before[n] + share;
+    const Origin::Candidate* candidate = origin.find(n);
+    if (candidate && share > likely && last_[n].time < origin.earliest)
+      remember(n, candidate->time, candidate->place);
   }
-}
-
-double LastToucher::trace_back(const Sighting::Robot& robot, const Course& course) const {
-  const double speed = course.velocity.norm();
-  const Vector2d arm = robot.position - course.middle;
-  if (speed <= 0) return std::max(0.0, arm.norm() - field_.robot_radius - field_.ball_radius);
-  const Vector2d back = -course.velocity / speed;
-  const double along = std::max(0.0, arm.dot(back));
-  return std::max(0.0, (arm - back * along).norm() - field_.robot_radius - field_.ball_radius);
 }
 
 void LastToucher::remember(std::size_t robot, world::Time when, const Vector2d& place) {

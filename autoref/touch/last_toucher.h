@@ -44,11 +44,13 @@ class LastToucher {
     int camera = 0;                // that saw it come
   };
 
+  /// Whether the ball is so far outside that a touch there is not the last one before it left.
+  bool is_out(const Vector2d& ball) const;
   void judge_hidden(const world::TrackedFrame& frame);
-  void judge_window(const View& view, double airborne);
+  void judge_window(const View& view, const world::TrackedBall& ball, double airborne);
+  /// Whether a ball in flight was above or beside the robot that long ago [s].
+  bool flies_past(const world::TrackedBall& ball, double ago, const Sighting::Robot& robot) const;
   void end_visit(const View& view);
-  /// How far from the robot's circle the ball's course began, followed backwards [m].
-  double trace_back(const Sighting::Robot& robot, const Course& course) const;
   void remember(std::size_t robot, world::Time when, const Vector2d& place);
   void tell(std::optional<std::size_t> fresh, std::vector<world::Touch>& out);
   double noise_of(const View& view) const { return view.tracked() ? params_.tracked_sigma : views_.noise(); }
@@ -57,6 +59,7 @@ class LastToucher {
   LikelihoodParams params_;
   Views views_;
   std::optional<Visit> visit_;
+  std::optional<world::Time> flew_;  // when the ball was last known to be in the air
   Beliefs belief_{};
   std::array<world::Touch, robot_slots> first_{};  // of each robot, its last contact: when it began
   std::array<world::Touch, robot_slots> last_{};   // when it was likely last

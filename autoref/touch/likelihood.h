@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -51,16 +52,24 @@ struct LikelihoodParams {
   double outlier_sigma = 0.5;   ///< per axis, of those
   double air_sigma = 0.25;      ///< per axis, of a ball in the air, as projected
 
+  double flies_on = 0.8;  ///< chance that it is in the air for a while after it was known to be,
+  world::Duration after_flight = std::chrono::milliseconds{350};  ///< when its hops are lost sight of
+  double flight_gap = 0.04;  ///< [m] from a robot, in space, a ball in flight has passed it
+  double too_high = 0.9;     ///< of balls in the air are too high for contact
+
+  double just_out = 0.03;  ///< [m] beyond the line a touch is no more the last before it, whatever its date
+
   // Nobody sees the ball.
   double hidden_touch = 0.25;  ///< chance that the robot at which it is believed to be touches it in a frame
   double hidden_gap = 0.03;    ///< [m] of such a robot
 
   // A visit as a whole.
-  double least_prior = 0.02;  ///< of what the windows said, before courses are compared
-  double unseen_touch =
-      0.05;  ///< weight of a robot whose touch no window showed, when there must have been one
-  double trace_sigma = 0.02;  ///< [m] of the course traced back to the hull it came from
-  double no_trace = 0.02;  ///< weight of a robot it does not lead to: something else turned the ball after it
+  double least_prior = 0.02;   ///< of what the windows said, before courses are compared
+  double unseen_touch = 0.02;  ///< chance that the windows were wrong about a robot
+  double trace_sigma = 0.02;   ///< [m] gap at which a robot may have touched a ball that was hidden then
+  double no_origin = 0.002;    ///< fit of a robot from which the course does not come
+  double least_fit = 0.02;     ///< of the best robot; less, and the course tells nothing (a hop, a bounce)
+  double bent = 0.05;          ///< and of nobody: a course that was bent by hiding, spin or a post
 };
 
 /// Six sightings of one camera as two straight pieces, d5 d4 d3 and d2 d1 d0.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -63,10 +64,11 @@ struct Course {
 /// @param ball_local  [m] centre of the ball in the robot's frame, x to the front
 double hull_gap(const Vector2d& ball_local, const world::Field& field);
 
-/// The last sightings of one camera.
+/// The last sightings of one camera, newest first.
 class View {
  public:
-  static constexpr int memory = 6;
+  static constexpr int window = 6;   ///< sightings that are judged at a time
+  static constexpr int memory = 24;  ///< and kept
 
   int camera = -1;
   int followed = 0;              ///< sightings in a row, without a gap of 400 ms or a jump
@@ -78,8 +80,10 @@ class View {
   Sighting& push(world::Time time, const Vector2d& ball);
   /// To be called when the sighting is complete.
   void finish(const world::Field& field);
+  /// How many of them can be looked at.
+  int kept() const { return std::min(followed, memory); }
   bool tracked() const { return camera < 0; }
-  bool full() const { return followed >= memory; }
+  bool full() const { return followed >= window; }
 
  private:
   std::array<Sighting, memory> ring_;

@@ -27,6 +27,7 @@ constexpr world::Duration before_seen = 4ms;     // a kick shows little so soon 
 constexpr world::Duration out_of_hiding = 50ms;  // a kicked ball comes into view within this; ours
 constexpr double kick_place_sigma = 0.010;       // [m] ours
 constexpr double hidden_kick_sigma = 0.025;      // [m] ours
+constexpr int held_again = 5;          // sightings at a dribbler that end a study: a chip passes sooner; ours
 constexpr int kicked_away = 3;         // sightings after which a kicked ball has left the dribbler; ours
 constexpr double landing_sigma = 0.5;  // [m/s] ours
 constexpr double beside_sigma =
@@ -198,7 +199,9 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   beside_robot_ = near_robot;
   study(measured, time, eye, near_robot);
   remember_hold(robots);
-  if (study_ && hold_ && study_->sightings() >= kicked_away) study_.reset();
+  if (study_ && hold_ && study_->sightings() >= kicked_away && ++held_sightings_ >= held_again)
+    study_.reset();
+  if (!study_ || !hold_) held_sightings_ = 0;
   return true;
 }
 
@@ -288,6 +291,8 @@ BallTrack::Hold BallTrack::hold_of(const world::TrackedRobot& robot, const Vecto
 void BallTrack::remember_hold(std::span<const world::TrackedRobot> robots) {
   hold_.reset();
   hidden_.reset();
+  // Where a ball above the robots is seen on the ground it only seems to be at a dribbler.
+  if (study_ && study_->airborne() > 0.5 && study_->filter_at(seen_).position().z() > robot_height) return;
   const Vector2d ball = filter_.position();
   for (const world::TrackedRobot& robot : robots) {
     if (!in_dribbler_zone(robot, ball)) continue;
