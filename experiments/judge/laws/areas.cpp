@@ -32,17 +32,22 @@ void Areas::watch(const Moment& moment, std::vector<TrueEvent>& out) {
       const world::Side side = defender ? own : world::other(own);
       const double depth = field.robot_radius - world::distance_to_defense_area(field, side, robot->position);
       const double margin = depth / moment.bands.length;
-      if (open.worst && (open.touch != contact.touch || open.worst->margin >= margin)) continue;
       if (margin <= -near_bands) continue;
+      if (open.worst && open.touch != contact.touch) continue;
+      if (open.worst && margin > 0 && open.worst->happened()) open.worst->until = contact.time;
+      if (open.worst && open.worst->margin >= margin) continue;
       if (open.reported && contact.time - *open.reported < same_offence) {
         const auto same = std::ranges::find(out.rbegin(), out.rend(), kind, &TrueEvent::event);
         if (same != out.rend() && same->by == touch.robot && margin > 0) same->until = contact.time;
         continue;
       }
-      const world::Time began = open.worst ? open.worst->time : contact.time;
+      // Who dribbles into the area offends when the hull is in it.
+      const bool went_on = open.worst && open.worst->happened();
+      const world::Time began = went_on ? open.worst->time : contact.time;
       open.touch = contact.touch;
       open.worst = TrueEvent{.event = kind,
                              .time = began,
+                             .until = contact.time,
                              .margin = margin,
                              .value = depth,
                              .by = touch.robot,

@@ -1,6 +1,13 @@
 #include "experiments/judge/laws/ball_speed.h"
 
+#include <algorithm>
+
 namespace judge {
+namespace {
+
+constexpr double told_after = 0.2;  // [s] of flight, a speed is told to within its band (Bands)
+
+}  // namespace
 
 void BallSpeed::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   const auto* last = moment.touches.last_at(moment.now.time);
@@ -23,14 +30,30 @@ void BallSpeed::watch(const Moment& moment, std::vector<TrueEvent>& out) {
 }
 
 void BallSpeed::finish(const Moment& moment, std::vector<TrueEvent>& out) {
-  if (in_play_) {
-    fastest_.event = Event::BallTooFast;
-    fastest_.margin = (fastest_.value - moment.rules.max_ball_speed) / moment.bands.speed;
-    report(out, fastest_);
+  if (in_play_ && touch_) {
+    const auto* next = moment.touches.last_at(moment.now.time);
+    const bool touched = next != nullptr && next->touch != *touch_;
+    const world::Time until = touched ? moment.touches[next->touch].begin : moment.now.time;
+    const double flight = world::seconds(until - moment.touches[*touch_].end);
+    tell(flight, moment.rules, moment.bands, out);
   }
   fastest_ = {};
   in_play_ = false;
   touch_.reset();
+}
+
+void BallSpeed::tell(double flight, const world::RuleSet& rules, const Bands& bands,
+                     std::vector<TrueEvent>& out) {
+  const double beyond = fastest_.value - rules.max_ball_speed;
+  const double seen = beyond > 0 ? std::clamp(flight / told_after, 0.0, 1.0) : 1.0;
+  fastest_.event = Event::BallTooFast;
+  fastest_.margin = std::max(beyond * seen, std::min(beyond, 1e-9)) / bands.speed;
+  report(out, fastest_);
+}
+
+void BallSpeed::finish(const world::RuleSet& rules, const Bands& bands, std::vector<TrueEvent>& out) {
+  if (in_play_ && touch_) tell(told_after, rules, bands, out);
+  in_play_ = false;
 }
 
 }  // namespace judge

@@ -91,7 +91,9 @@ void Settling::finish(std::vector<TrueEvent>& out) {
   const bool clear = narrow.settled && *narrow.settled - *wide.settled <= agreed;
   TrueEvent event;
   event.event = Event::RobotsSettled;
-  event.time = as_is.settled.value_or(*wide.settled);
+  event.time = clear ? as_is.settled.value_or(*wide.settled) : *wide.settled;
+  // Where the bands disagree, anything from the first of them on is right.
+  event.until = narrow.settled.value_or(left_.value_or(event.time));
   event.margin = clear ? near_bands : as_is.settled ? 0.5 : -0.5;
   out.push_back(event);
 }
