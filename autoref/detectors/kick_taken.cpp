@@ -8,7 +8,7 @@ namespace detectors {
 namespace {
 
 constexpr double kick_speed = 0.4;           // [m/s]
-constexpr double least_travel = 0.01;        // [m] for a kick known by its speed
+constexpr double least_travel = 0.02;        // [m] for a kick known by its speed: twice a camera's offset
 constexpr double going_on = 0.003;           // [m] farther in the next frame, or it was a hiccup
 constexpr double opponent_tolerance = 0.02;  // [m]
 constexpr double same_place = 0.1;           // [m] twice the placement's tolerance

@@ -14,7 +14,7 @@ namespace detectors {
 /// are then
 ///         at least 0.5 m from it, the kicker's team-mates 0.2 m from the opponents' defense area, and at a
 ///         kickoff everyone is in its own half.
-/// Guard   |ball - place| - kick_travel  [m], or speed - 0.4 m/s in two observed frames, 10 mm away in the
+/// Guard   |ball - place| - kick_travel  [m], or speed - 0.4 m/s in two observed frames, 20 mm away in the
 ///         second and farther than in the first; the earlier of the two (reference "requirements", 1.10; the
 ///         distances and the second frame are ours, against hiccups of the filter).
 /// Again   (Law 12, cautions 3 and 5: free kicks, goal kicks and corner kicks) when an opponent was near at

@@ -18,7 +18,18 @@ void BallSpeed::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   }
   if (!touch_) return;
   double speed = moment.now.ball.velocity.norm();
-  for (const truth::Kick& kick : moment.now.kicks) speed = std::max(speed, kick.velocity.norm());
+  for (const truth::Kick& kick : moment.now.kicks) {
+    if (kick.robot == moment.touches[*touch_].robot) {
+      speed = std::max(speed, kick.velocity.norm());
+    } else if (moment.in_play()) {  // against the next robot in the same tick: it flew from one to the other
+      TrueEvent jammed;
+      jammed.time = kick.time;
+      jammed.value = kick.velocity.norm();
+      jammed.by = kick.robot;
+      jammed.place = moment.ball();
+      tell(jammed, world::seconds(last->time - kick.time), moment.rules, moment.bands, out);
+    }
+  }
   if (speed > fastest_.value) {
     fastest_.value = speed;
     fastest_.time = moment.touches[*touch_].end;
@@ -35,24 +46,24 @@ void BallSpeed::finish(const Moment& moment, std::vector<TrueEvent>& out) {
     const bool touched = next != nullptr && next->touch != *touch_;
     const world::Time until = touched ? moment.touches[next->touch].begin : moment.now.time;
     const double flight = world::seconds(until - moment.touches[*touch_].end);
-    tell(flight, moment.rules, moment.bands, out);
+    tell(fastest_, flight, moment.rules, moment.bands, out);
   }
   fastest_ = {};
   in_play_ = false;
   touch_.reset();
 }
 
-void BallSpeed::tell(double flight, const world::RuleSet& rules, const Bands& bands,
+void BallSpeed::tell(TrueEvent fastest, double flight, const world::RuleSet& rules, const Bands& bands,
                      std::vector<TrueEvent>& out) {
-  const double beyond = fastest_.value - rules.max_ball_speed;
+  const double beyond = fastest.value - rules.max_ball_speed;
   const double seen = beyond > 0 ? std::clamp(flight / told_after, 0.0, 1.0) : 1.0;
-  fastest_.event = Event::BallTooFast;
-  fastest_.margin = std::max(beyond * seen, std::min(beyond, 1e-9)) / bands.speed;
-  report(out, fastest_);
+  fastest.event = Event::BallTooFast;
+  fastest.margin = std::max(beyond * seen, std::min(beyond, 1e-9)) / bands.speed;
+  report(out, fastest);
 }
 
 void BallSpeed::finish(const world::RuleSet& rules, const Bands& bands, std::vector<TrueEvent>& out) {
-  if (in_play_ && touch_) tell(told_after, rules, bands, out);
+  if (in_play_ && touch_) tell(fastest_, told_after, rules, bands, out);
   in_play_ = false;
 }
 

@@ -20,7 +20,8 @@ class BallSpeed {
 
  private:
   void finish(const Moment& moment, std::vector<TrueEvent>& out);
-  void tell(double flight, const world::RuleSet& rules, const Bands& bands, std::vector<TrueEvent>& out);
+  static void tell(TrueEvent fastest, double flight, const world::RuleSet& rules, const Bands& bands,
+                   std::vector<TrueEvent>& out);
 
   std::optional<std::size_t> touch_;  // that began this flight
   TrueEvent fastest_;

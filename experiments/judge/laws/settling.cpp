@@ -12,10 +12,11 @@ constexpr world::Duration agreed = std::chrono::milliseconds{300};
 
 }  // namespace
 
-bool Settling::ready(const Moment& moment) const {
+bool Settling::ready(const Moment& moment, int wider) const {
   if (!moment.state.is_kickoff) return true;
   return std::ranges::all_of(moment.now.robots, [&](const truth::Robot& robot) {
-    return robot.position.x() * world::sign(world::defended_side(moment.state, robot.id.team)) >= 0;
+    const double own = world::sign(world::defended_side(moment.state, robot.id.team));
+    return robot.position.x() * own >= -wider * moment.bands.length;
   });
 }
 
@@ -26,12 +27,7 @@ bool Settling::steady(const Moment& moment, int wider) const {
   if (robot_speed_ > rules.robot_settled_speed + wider * robot_speed_band) return false;
   const auto& place = moment.state.reset_position;
   if (place && (moment.ball() - *place).norm() > rules.placement_tolerance + wider * place_band) return false;
-  if (!moment.state.is_kickoff) return true;
-  for (const truth::Robot& robot : moment.now.robots) {
-    const double own = world::sign(world::defended_side(moment.state, robot.id.team));
-    if (robot.position.x() * own < -wider * moment.bands.length) return false;
-  }
-  return true;
+  return ready(moment, wider);
 }
 
 void Settling::measure(const Moment& moment) {
@@ -77,7 +73,7 @@ void Settling::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     Wait& wait = waits_[static_cast<std::size_t>(n)];
     if (wait.settled) continue;
     if (!steady(moment, n - 1)) wait.steady = moment.now.time;
-    const world::Duration limit = moment.rules.settle_limit * (ready(moment) ? 1 : 2);
+    const world::Duration limit = moment.rules.settle_limit * (ready(moment, n - 1) ? 1 : 2);
     if (moment.now.time - wait.steady >= moment.rules.settled_for || moment.now.time - wait.begin >= limit) {
       wait.settled = moment.now.time;
     }
