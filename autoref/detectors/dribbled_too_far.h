@@ -31,9 +31,13 @@ class DribbledTooFar final : public Detector {
     world::Vector2d start;                // [m]
     world::GuardSample guard;             // at the last frame in contact
     std::optional<world::Time> passed{};  // the limit, not certain yet
+    bool doubtful = false;                // it may be at another robot
     int frames_apart = 0;
   };
   using OfTeam = std::array<std::optional<Dribble>, world::max_robot_number + 1>;
+
+  bool another_near(const world::TrackedFrame& frame, world::RobotId robot,
+                    const world::Vector2d& ball) const;
 
   world::Field field_;
   double max_distance_;

@@ -9,6 +9,25 @@ constexpr double at_hull = 0.005;  // [m]
 
 }  // namespace
 
+namespace {
+
+/// Whether another robot, also of the same team, touched the ball within a tick before or in this tick: then
+/// nobody outside can say which of them did.
+bool among_others(const Moment& moment, const TrueTouches::Contact& contact) {
+  const auto other = [&](const TrueTouches::Contact& one) {
+    return moment.touches[one.touch].robot != moment.touches[contact.touch].robot;
+  };
+  if (std::ranges::any_of(moment.touches.fresh(), other)) return true;
+  return std::ranges::any_of(
+      moment.touches.all().rbegin(),
+      moment.touches.all().rbegin() + std::min<std::ptrdiff_t>(6, std::ssize(moment.touches.all())),
+      [&](const TrueTouch& touch) {
+        return touch.robot != moment.touches[contact.touch].robot && contact.time - touch.end <= one_tick;
+      });
+}
+
+}  // namespace
+
 void Areas::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   const world::Field& field = moment.rules.field;
   const bool play = moment.in_play() && moment.outside(moment.now.ball) <= 0;
@@ -34,7 +53,11 @@ void Areas::watch(const Moment& moment, std::vector<TrueEvent>& out) {
       const double margin = depth / moment.bands.length;
       if (margin <= -near_bands) continue;
       if (open.worst && open.touch != contact.touch) continue;
-      if (open.worst && margin > 0 && open.worst->happened()) open.worst->until = contact.time;
+      const bool among = among_others(moment, contact);
+      if (open.worst && margin > 0 && open.worst->happened()) {
+        open.worst->until = contact.time;
+        open.worst->ambiguous = open.worst->ambiguous && among;
+      }
       if (open.worst && open.worst->margin >= margin) continue;
       if (open.reported && contact.time - *open.reported < same_offence) {
         const auto same = std::ranges::find(out.rbegin(), out.rend(), kind, &TrueEvent::event);
@@ -52,7 +75,7 @@ void Areas::watch(const Moment& moment, std::vector<TrueEvent>& out) {
                              .value = depth,
                              .by = touch.robot,
                              .place = robot->position,
-                             .ambiguous = touch.squeezed};
+                             .ambiguous = went_on ? open.worst->ambiguous : among};
     }
   }
 }

@@ -19,15 +19,20 @@ void BallSpeed::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   if (!touch_) return;
   double speed = moment.now.ball.velocity.norm();
   for (const truth::Kick& kick : moment.now.kicks) {
-    if (kick.robot == moment.touches[*touch_].robot) {
+    const auto stopped_it = [&](const TrueTouches::Contact& contact) {
+      return contact.time >= kick.time && moment.touches[contact.touch].robot != kick.robot;
+    };
+    const auto& fresh = moment.touches.fresh();
+    const auto next = std::ranges::find_if(fresh, stopped_it);
+    if (next == fresh.end()) {
       speed = std::max(speed, kick.velocity.norm());
-    } else if (moment.in_play()) {  // against the next robot in the same tick: it flew from one to the other
+    } else if (moment.in_play()) {  // in the same tick: it flew from one robot to the other
       TrueEvent jammed;
       jammed.time = kick.time;
       jammed.value = kick.velocity.norm();
       jammed.by = kick.robot;
       jammed.place = moment.ball();
-      tell(jammed, world::seconds(last->time - kick.time), moment.rules, moment.bands, out);
+      tell(jammed, world::seconds(next->time - kick.time), moment.rules, moment.bands, out);
     }
   }
   if (speed > fastest_.value) {

@@ -51,7 +51,15 @@ void Settling::measure(const Moment& moment) {
 void Settling::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   const bool off = moment.in(world::Location::GameOff);
   const bool anew = off && (moment.entered || moment.state.command_counter != counter_ || !waiting_);
-  if (waiting_ && anew) finish(out);
+  if (waiting_ && anew) {
+    // The next command was given a moment ago: what was about to be settled counts.
+    for (Wait& wait : waits_) {
+      const world::Duration limit = moment.rules.settle_limit * (ready(moment, 0) ? 1 : 2);
+      const bool nearly = moment.now.time - wait.begin >= limit - agreed;
+      if (!wait.settled && nearly) wait.settled = moment.now.time;
+    }
+    finish(out);
+  }
   if (anew) {
     waiting_ = true;
     counter_ = moment.state.command_counter;
