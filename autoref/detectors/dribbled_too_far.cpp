@@ -7,9 +7,11 @@
 namespace detectors {
 namespace {
 
-constexpr int frames_of_separation = 10;
-constexpr double hidden_at = 0.03;  // [m] hull to the ball
-constexpr double taken_at = 0.05;   // [m] the same, of a robot that may have taken a hidden ball
+// Hull to the ball [m].
+constexpr double contact = 0.02;
+constexpr double separate = 0.04;
+constexpr int frames_of_separation = 2;
+constexpr double taken_at = 0.05;  // of a robot that may have taken a hidden ball
 
 }  // namespace
 
@@ -29,20 +31,23 @@ Events DribbledTooFar::update(const world::TrackedFrame& frame, const world::Gam
   for (const world::TrackedRobot& robot : frame.robots) {
     if (robot.id.number > world::max_robot_number) continue;
     std::optional<Dribble>& dribble = dribbles_[robot.id.team][robot.id.number];
+    const double gap = gap_to_ball(field_, robot, ball);
     if (!dribble) {
-      if (robot.ball_in_reach) dribble = Dribble{ball, {frame.time, -max_distance_}};
+      if (gap < contact && !frame.ball->flight) dribble = Dribble{ball, {frame.time, -max_distance_}};
       continue;
     }
-    const bool hidden = !seen && gap_to_ball(field_, robot, ball) < hidden_at;
-    if (!robot.ball_in_reach && !hidden) {
-      if (++dribble->frames_apart > frames_of_separation) dribble.reset();
+    if (gap > separate) {
+      if (++dribble->frames_apart >= frames_of_separation) dribble.reset();
       continue;
     }
     const world::GuardSample now{frame.time, (ball - dribble->start).norm() - max_distance_};
     if (const auto time = rising_zero(dribble->guard, now)) dribble->passed = time;
-    if (!seen && !dribble->doubtful) dribble->doubtful = another_near(frame, robot.id, ball);
-    if (seen && robot.ball_in_reach) dribble->doubtful = false;
-    if (dribble->passed && robot.ball_in_reach && !dribble->doubtful) {
+    if (seen) {
+      dribble->doubtful = false;
+    } else if (!dribble->doubtful) {
+      dribble->doubtful = another_near(frame, robot.id, ball);
+    }
+    if (dribble->passed && !dribble->doubtful) {
       events.push_back({*dribble->passed, world::BotDribbledBallTooFar{robot.id, dribble->start, ball}});
       dribble->passed.reset();
     }
