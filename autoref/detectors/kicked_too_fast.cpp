@@ -8,13 +8,13 @@
 namespace detectors {
 namespace {
 
-constexpr double surplus_way = 0.025;       // [m] half as much again as a camera's seam is wide
+constexpr double surplus_way = 0.018;       // [m] four times the noise of a way
 constexpr double sliding = 3.0;             // [m/s^2]
 constexpr double fast_step = 0.75;          // of the limit
 constexpr double no_ball_is_faster = 12.0;  // [m/s]
 constexpr double filter_agrees = 0.96;      // of the limit
 constexpr std::size_t frames_needed = 3;
-constexpr world::Duration recent_touch = std::chrono::milliseconds{300};
+constexpr world::Duration recent_touch = std::chrono::milliseconds{100};
 
 }  // namespace
 
@@ -69,9 +69,10 @@ Events KickedTooFast::update(const world::TrackedFrame& frame, const world::Game
   if (after_restart_ && state.kicker && state.kick_position) {
     kick.by = *state.kicker;
     kick.location = *state.kick_position;
-  } else if (state.last_touch && began_ - state.last_touch->time < recent_touch) {
-    kick.by = state.last_touch->robot;
-    kick.location = state.last_touch->position;
+  } else if (const auto touch = last_touch(frame, state, frame.time);
+             touch && began_ - touch->time < recent_touch) {
+    kick.by = touch->robot;
+    kick.location = touch->position;
   } else if (nearest_) {
     kick.by = *nearest_;
   } else {

@@ -11,12 +11,13 @@ namespace detectors {
 /// BOT_KICKED_BALL_TOO_FAST: the ball became faster than the laws allow.
 ///
 /// Rule    laws of 2015, Law 12: at most 8 m/s.
-/// Guard   way - (max_ball_speed t - a t^2 / 2)  [m]: between two of the last nine observed frames the ball
+/// Guard   way - (max_ball_speed t - a t^2 / 2)  [m]: between two of the last seven observed frames the ball
 ///         went at least surplus_way farther than a ball kicked at the limit, which slides and slows down by
 ///         a; in at least three frames (I-30: not one), in each of them as a fast ball does, the filter
 ///         agreeing. So a little too fast takes longer to see than much too fast, and a ball that jumps
 ///         between cameras gets nowhere.
-/// Blames  the last toucher, when it touched the ball at most 0.3 s before; otherwise the robot that was
+/// Blames  the last toucher, when it touched the ball at most 0.1 s before it sped up; otherwise the robot
+/// that was
 ///         nearest when the ball sped up (ours); who took the kick when play began with it.
 /// Resets  when the ball is slow again.
 /// Source  ours. a = 3 m/s^2 (reference "football", 5); no step beyond 12 m/s is a ball's (TIGERs' cap).
@@ -42,7 +43,7 @@ class KickedTooFast final : public Detector {
 
   double max_speed_;
   // The ball in the last observed frames, oldest first; all but the first came by fast steps.
-  std::array<Sample, 9> samples_;
+  std::array<Sample, 7> samples_;
   std::size_t count_ = 0;
   world::Time began_;      // the last frame of a slow ball
   world::Vector2d place_;  // [m] ball then

@@ -9,6 +9,7 @@ namespace detectors {
 namespace {
 
 constexpr world::Duration window = std::chrono::seconds{1};
+constexpr world::Duration apart = std::chrono::milliseconds{15};
 
 }  // namespace
 
@@ -18,9 +19,12 @@ Events NoProgress::update(const world::TrackedFrame& frame, const world::GameSta
     const auto oldest = [this] { return samples_[(next_ + samples_.size() - count_) % samples_.size()]; };
     while (count_ > 1 && frame.time - oldest().time > window) --count_;
     if (count_ > 0 && (*ball - oldest().place).norm() >= distance_) progress_ = frame.time;
-    samples_[next_] = {frame.time, *ball};
-    next_ = (next_ + 1) % samples_.size();
-    count_ = std::min(count_ + 1, samples_.size());
+    const Sample& newest = samples_[(next_ + samples_.size() - 1) % samples_.size()];
+    if (count_ == 0 || frame.time - newest.time >= apart) {
+      samples_[next_] = {frame.time, *ball};
+      next_ = (next_ + 1) % samples_.size();
+      count_ = std::min(count_ + 1, samples_.size());
+    }
   }
   const world::Duration waited = frame.time - *progress_;
   if (waited < limit_) return {};

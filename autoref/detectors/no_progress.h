@@ -40,7 +40,7 @@ class NoProgress final : public Detector {
     world::Vector2d place;  // [m]
   };
   std::optional<world::Time> progress_;  // when there was some last
-  std::array<Sample, 64> samples_;       // a ring: the ball in the observed frames of the last second
+  std::array<Sample, 72> samples_;       // a ring: the observed ball in the last second, 15 ms apart or more
   std::size_t next_ = 0;
   std::size_t count_ = 0;
 };
