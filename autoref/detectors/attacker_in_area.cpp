@@ -12,18 +12,14 @@ constexpr world::Duration cool_down = std::chrono::seconds{2};
 }  // namespace
 
 Events AttackerInArea::update(const world::TrackedFrame& frame, const world::GameState& state) {
-  past_.add(frame);
-  for (const world::Touch& touch : frame.touches) {
+  for (const auto& [touch, place] : touches_.update(frame, state)) {
     const world::RobotId robot = touch.robot;
-    if (touch.probability < sure_ || !in_play(field_, state, touch)) continue;
     if (reported_ && frame.time - *reported_ < cool_down) continue;
-    const auto place = past_.position(robot, touch.time);
-    if (!place) continue;
     const world::Side attacked = world::other(world::defended_side(state, robot.team));
-    const double depth = depth_in_area(field_, attacked, *place);
+    const double depth = depth_in_area(field_, attacked, place);
     if (depth < margin_) continue;
     reported_ = frame.time;
-    return {{touch.time, world::AttackerTouchedBallInDefenseArea{robot, *place, touch.position, depth}}};
+    return {{touch.time, world::AttackerTouchedBallInDefenseArea{robot, place, touch.position, depth}}};
   }
   return {};
 }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "autoref/detectors/area_touches.h"
 #include "autoref/detectors/detector.h"
-#include "autoref/detectors/robot_past.h"
 #include "sim/world/rules/rule_set.h"
 
 namespace detectors {
@@ -9,25 +9,24 @@ namespace detectors {
 /// ATTACKER_TOUCHED_BALL_IN_DEFENSE_AREA: a robot touched the ball in play while in the opponents' area.
 ///
 /// Rule    laws of 2015, Law 12, indirect free kicks: partly or wholly inside.
-/// Guard   a touch at least as probable as sure_touch by a robot whose hull reached distance_margin into the
+/// Guard   a certain touch (AreaTouches, sure_touch) by a robot whose hull reached distance_margin into the
 ///         area at that time.
 /// Resets  a robot is reported at most every 2 s (TIGERs).
 class AttackerInArea final : public Detector {
  public:
   explicit AttackerInArea(const world::RuleSet& rules)
-      : field_(rules.field), margin_(rules.distance_margin), sure_(rules.sure_touch) {}
+      : field_(rules.field), margin_(rules.distance_margin), touches_(rules.field, rules.sure_touch) {}
 
   Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
-    past_.clear();
+    touches_.reset();
     reported_.reset();
   }
 
  private:
   world::Field field_;
   double margin_;
-  double sure_;
-  RobotPast past_;
+  AreaTouches touches_;
   std::optional<world::Time> reported_;
 };
 

@@ -3,9 +3,38 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/world/robot_specs.h"
+
 namespace detectors {
 
 using world::Vector2d;
+
+double gap_to_ball(const world::Field& field, const world::TrackedRobot& robot, const Vector2d& ball) {
+  static constexpr double front = world::RobotSpecs{}.center_to_dribbler;
+  const Vector2d arm = ball - robot.position;
+  const double disc = arm.norm() - field.robot_radius - field.ball_radius;
+  if (disc > 0.3) return disc;  // [m] far away the front makes no difference
+  const Vector2d local = world::rotated(arm, -robot.orientation);
+  const double corner = std::sqrt(field.robot_radius * field.robot_radius - front * front);
+  if (local.x() * corner < front * std::abs(local.y())) return disc;  // the round part is nearest
+  const double ahead = local.x() - front;
+  const double beside = std::max(0.0, std::abs(local.y()) - corner);
+  return (ahead < 0 ? std::max(ahead, disc + field.ball_radius) : std::hypot(ahead, beside)) -
+         field.ball_radius;
+}
+
+bool carries(const world::Field& field, const world::TrackedRobot& robot, const world::TrackedBall& ball) {
+  constexpr double contact = 0.015;    // [m]
+  constexpr double hidden = 0.025;     // [m] the tracker keeps a hidden ball where it vanished
+  constexpr double same_speed = 0.3;   // [m/s]
+  constexpr double least_speed = 0.1;  // [m/s] a ball at rest may be there without being touched
+  if (ball.flight || !robot.ball_in_reach) return false;
+  if (gap_to_ball(field, robot, on_ground(ball)) > (ball.observed ? contact : hidden)) return false;
+  const Vector2d arm = on_ground(ball) - robot.position;
+  const Vector2d carried = robot.velocity + robot.angular_velocity * Vector2d(-arm.y(), arm.x());
+  const Vector2d velocity = ball.velocity.head<2>();
+  return velocity.norm() > least_speed && (velocity - carried).norm() < same_speed;
+}
 
 const world::TrackedRobot* nearest_robot(const world::TrackedFrame& frame, const Vector2d& point,
                                          std::optional<world::Team> team) {
@@ -24,10 +53,15 @@ const world::TrackedRobot* nearest_robot(const world::TrackedFrame& frame, const
 
 std::optional<world::RobotId> robot_in_wrong_half(const world::TrackedFrame& frame,
                                                   const world::GameState& state) {
+  std::optional<world::RobotId> farthest;
+  double most = 0;
   for (const world::TrackedRobot& robot : frame.robots) {
-    if (robot.position.x() * world::sign(world::defended_side(state, robot.id.team)) < 0) return robot.id;
+    const double own = robot.position.x() * world::sign(world::defended_side(state, robot.id.team));
+    if (own >= most) continue;
+    most = own;
+    farthest = robot.id;
   }
-  return std::nullopt;
+  return farthest;
 }
 
 std::optional<world::Touch> last_touch(const world::TrackedFrame& frame, const world::GameState& state,

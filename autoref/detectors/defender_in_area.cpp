@@ -12,19 +12,15 @@ constexpr world::Duration cool_down = std::chrono::seconds{2};
 }  // namespace
 
 Events DefenderInArea::update(const world::TrackedFrame& frame, const world::GameState& state) {
-  past_.add(frame);
-  for (const world::Touch& touch : frame.touches) {
+  for (const auto& [touch, place] : touches_.update(frame, state)) {
     const world::RobotId robot = touch.robot;
-    if (touch.probability < sure_ || !in_play(field_, state, touch)) continue;
     if (robot.number == state.keeper[robot.team]) continue;
     if (reported_ && frame.time - *reported_ < cool_down) continue;
-    const auto place = past_.position(robot, touch.time);
-    if (!place) continue;
-    const double depth = depth_in_area(field_, world::defended_side(state, robot.team), *place);
+    const double depth = depth_in_area(field_, world::defended_side(state, robot.team), place);
     if (depth < margin_) continue;
     const bool wholly = depth > 2 * field_.robot_radius + margin_;
     reported_ = frame.time;
-    return {{touch.time, world::DefenderInDefenseArea{robot, *place, depth, wholly}}};
+    return {{touch.time, world::DefenderInDefenseArea{robot, place, depth, wholly}}};
   }
   return {};
 }

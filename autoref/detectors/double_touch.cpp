@@ -5,10 +5,11 @@
 namespace detectors {
 namespace {
 
-constexpr double clear_distance = 0.05;  // [m] hull to the ball's surface
-constexpr double carry_margin = 0.03;    // [m]
-constexpr int clear_frames = 5;
-constexpr int carry_frames = 6;
+constexpr double clear_distance = 0.03;  // [m] hull to the ball's surface
+constexpr double push_margin = 0.03;     // [m]
+constexpr int clear_frames = 3;
+constexpr int carry_frames = 4;
+constexpr int push_frames = 6;
 
 }  // namespace
 
@@ -23,18 +24,26 @@ Events DoubleTouch::update(const world::TrackedFrame& frame, const world::GameSt
     }
   }
   const world::TrackedRobot* kicker = find_robot(frame, *state.kicker);
-  const auto ball = observed_ball(frame);
-  if (!kicker || !ball) return {};
+  if (!kicker || !frame.ball) return {};
+  const world::Vector2d ball = on_ground(*frame.ball);
 
-  const double travelled = (*ball - *state.kick_position).norm();
-  const double gap = hull_distance(field_, *kicker, *ball) - field_.ball_radius;
-  clear_ = travelled > travel_ && gap > clear_distance ? clear_ + 1 : 0;
-  if (!released_ && clear_ >= clear_frames) released_ = frame.time;
+  if (released_) {
+    carried_ = carries(field_, *kicker, *frame.ball) ? carried_ + 1 : 0;
+    if (carried_ == 1) carried_since_ = frame.time;
+    if (carried_ < carry_frames) return {};
+    reported_ = true;
+    return {{carried_since_, world::AttackerDoubleTouchedBall{kicker->id, ball}}};
+  }
+  if (!frame.ball->observed) return {};
+  const double travelled = (ball - *state.kick_position).norm();
+  const bool clear = travelled > travel_ && gap_to_ball(field_, *kicker, ball) > clear_distance;
+  clear_ = clear ? clear_ + 1 : 0;
+  if (clear_ >= clear_frames) released_ = frame.time;
 
-  carried_ = kicker->ball_in_reach && travelled > travel_ + carry_margin ? carried_ + 1 : 0;
-  if (carried_ < carry_frames) return {};
+  pushed_ = kicker->ball_in_reach && travelled > travel_ + push_margin ? pushed_ + 1 : 0;
+  if (pushed_ < push_frames) return {};
   reported_ = true;
-  return {{frame.time, world::AttackerDoubleTouchedBall{kicker->id, *ball}}};
+  return {{frame.time, world::AttackerDoubleTouchedBall{kicker->id, ball}}};
 }
 
 }  // namespace detectors

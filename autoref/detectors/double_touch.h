@@ -10,14 +10,14 @@ namespace detectors {
 /// ATTACKER_DOUBLE_TOUCHED_BALL: the robot that took the kick touched the ball again before anyone else did.
 ///
 /// Rule    laws of 2015, Law 9, decision 1: the kicker may bump the ball, but not touch it after it has
-/// travelled
-///         50 mm; not after a forced start.
-/// Certain (a) when the ball was clear of the kicker for 5 observed frames (50 mm between hull and ball,
-/// farther than
-///         kick_travel from where it lay) and a touch by the kicker is dated after that; or (b) when the ball
-///         is still at the kicker's dribbler, kick_travel and 30 mm away from where it lay, for the sixth
-///         observed frame in a row. The kick's own late or repeated touch reports (I-33) satisfy neither.
-/// Source  30 mm and the frames are ours: in the recorded game of 2022 a kick that accelerated over 0.2 m was
+///         travelled 50 mm; not after a forced start.
+/// Certain when the ball was clear of the kicker for 3 observed frames (30 mm between hull and ball, farther
+/// than
+///         kick_travel from where it lay), and then (a) a touch by the kicker is dated after that, or (b) the
+///         kicker has carried it for four frames, seen or hidden; or (c) when it never was clear and is still
+///         at the kicker's dribbler, kick_travel and 30 mm away from where it lay, for the sixth observed
+///         frame in a row. The kick's own late or repeated touch reports (I-33) satisfy none.
+/// Source  distances and frames are ours: in the recorded game of 2022 a kick that accelerated over 0.2 m was
 /// in
 ///         reach for three frames and reported as a touch again just after.
 class DoubleTouch final : public Detector {
@@ -27,8 +27,7 @@ class DoubleTouch final : public Detector {
   Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     released_.reset();
-    clear_ = 0;
-    carried_ = 0;
+    clear_ = carried_ = pushed_ = 0;
     reported_ = false;
   }
 
@@ -37,7 +36,9 @@ class DoubleTouch final : public Detector {
   double travel_;
   std::optional<world::Time> released_;  // when the ball was clear of the kicker
   int clear_ = 0;                        // observed frames clear of the kicker in a row
-  int carried_ = 0;                      // observed frames in the kicker's reach too far from where it lay
+  int carried_ = 0;                      // frames in a row in which the kicker carried it after that
+  world::Time carried_since_;
+  int pushed_ = 0;  // observed frames in the kicker's reach too far from where it lay
   bool reported_ = false;
 };
 

@@ -8,7 +8,8 @@ namespace detectors {
 namespace {
 
 constexpr double kick_speed = 0.4;           // [m/s]
-constexpr double least_travel = 0.01;        // [m] for a kick known by its speed
+constexpr double least_travel = 0.02;        // [m] for a kick known by its speed: twice a camera's offset
+constexpr double going_on = 0.003;           // [m] farther in the next frame, or it was a hiccup
 constexpr double opponent_tolerance = 0.02;  // [m]
 constexpr double same_place = 0.1;           // [m] twice the placement's tolerance
 
@@ -18,20 +19,21 @@ std::optional<world::Time> KickTaken::when_taken(const world::TrackedFrame& fram
                                                  const world::GameState& state) {
   const double distance = (on_ground(*frame.ball) - *state.kick_position).norm();
   const world::GuardSample moved{frame.time, distance - travel_};
-  const double speed = frame.ball->velocity.head<2>().norm();
-  const world::GuardSample sped_up{frame.time, distance > least_travel ? speed - kick_speed : -kick_speed};
   if (!moved_ && state.location_time < frame.time) {  // the ball lay there when the kick was signalled
     moved_ = world::GuardSample{state.location_time, -travel_};
-    sped_up_ = world::GuardSample{state.location_time, -kick_speed};
   }
   std::optional<world::Time> taken;
   if (moved_) taken = rising_zero(*moved_, moved);
-  if (sped_up_) {
-    const auto by_speed = rising_zero(*sped_up_, sped_up);
-    if (by_speed && (!taken || *by_speed < *taken)) taken = by_speed;
+
+  const bool fast = frame.ball->velocity.head<2>().norm() >= kick_speed;
+  if (!fast) {
+    sped_up_.reset();
+  } else if (!sped_up_) {
+    sped_up_ = SpedUp{moved_ ? moved_->time : frame.time, distance};
+  } else if (distance > least_travel && distance > sped_up_->distance + going_on) {
+    taken = taken ? std::min(*taken, sped_up_->time) : sped_up_->time;
   }
   moved_ = moved;
-  sped_up_ = sped_up;
   return taken;
 }
 

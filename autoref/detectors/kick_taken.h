@@ -14,9 +14,9 @@ namespace detectors {
 /// are then
 ///         at least 0.5 m from it, the kicker's team-mates 0.2 m from the opponents' defense area, and at a
 ///         kickoff everyone is in its own half.
-/// Guard   |ball - place| - kick_travel  [m], or speed - 0.4 m/s once it has moved 10 mm; the earlier of the
-/// two
-///         (reference "requirements", 1.10; the 10 mm are ours, against a hiccup of the filter).
+/// Guard   |ball - place| - kick_travel  [m], or speed - 0.4 m/s in two observed frames, 20 mm away in the
+///         second and farther than in the first; the earlier of the two (reference "requirements", 1.10; the
+///         distances and the second frame are ours, against hiccups of the filter).
 /// Again   (Law 12, cautions 3 and 5: free kicks, goal kicks and corner kicks) when an opponent was near at
 /// the
 ///         last attempt too, of the same team from within 0.1 m.
@@ -47,7 +47,11 @@ class KickTaken final : public Detector {
   double opponent_distance_;
   double area_distance_;
   std::optional<world::GuardSample> moved_;
-  std::optional<world::GuardSample> sped_up_;
+  struct SpedUp {
+    world::Time time;  // of the last frame before
+    double distance;   // [m] in the first frame of it
+  };
+  std::optional<SpedUp> sped_up_;
   bool reported_ = false;
 
   struct Attempt {

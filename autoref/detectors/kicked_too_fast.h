@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "autoref/detectors/detector.h"
@@ -10,24 +11,23 @@ namespace detectors {
 /// BOT_KICKED_BALL_TOO_FAST: the ball became faster than the laws allow.
 ///
 /// Rule    laws of 2015, Law 12: at most 8 m/s.
-/// Guard   speed - 1.02 max_ball_speed  [m/s]; certain with the fourth observed frame above it in a row
-///         (I-30; the authors' code waits as long), when the ball has also gone half the way that the limit
-///         would have taken it (ours: a hopping ball jumps to and fro between cameras). Speeds above 12 m/s
-///         are no ball's.
-/// Blames  the last toucher, when it touched the ball at most 0.3 s before; otherwise the robot that was
-/// nearest
-///         when the ball sped up (ours).
-/// Resets  when the ball is slower again.
+/// Guard   way - (max_ball_speed t - a t^2 / 2)  [m]: between two of the last seven observed frames the ball
+///         went at least surplus_way farther than a ball kicked at the limit, which slides and slows down by
+///         a; in at least three frames (I-30: not one), in each of them as a fast ball does, the filter
+///         agreeing. So a little too fast takes longer to see than much too fast, and a ball that jumps
+///         between cameras gets nowhere.
+/// Blames  the last toucher, when it touched the ball at most 0.1 s before it sped up; otherwise the robot
+/// that was
+///         nearest when the ball sped up (ours); who took the kick when play began with it.
+/// Resets  when the ball is slow again.
+/// Source  ours. a = 3 m/s^2 (reference "football", 5); no step beyond 12 m/s is a ball's (TIGERs' cap).
 class KickedTooFast final : public Detector {
  public:
   explicit KickedTooFast(const world::RuleSet& rules) : max_speed_(rules.max_ball_speed) {}
 
   Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
-    before_.reset();
-    began_.reset();
     count_ = 0;
-    fastest_ = 0;
     reported_ = false;
   }
 
@@ -35,14 +35,21 @@ class KickedTooFast final : public Detector {
   struct Sample {
     world::Time time;
     world::Vector2d ball;
-    std::optional<world::RobotId> nearest;
+    double height;  // [m]
   };
 
+  void begin(const world::TrackedFrame& frame, const Sample& sample);
+  bool too_fast(const Sample& now) const;
+
   double max_speed_;
-  std::optional<Sample> before_;  // last observed frame at a legal speed
-  std::optional<Sample> began_;   // where the ball was when it sped up
-  int count_ = 0;                 // observed frames too fast in a row
-  double fastest_ = 0;            // [m/s] in them
+  // The ball in the last observed frames, oldest first; all but the first came by fast steps.
+  std::array<Sample, 7> samples_;
+  std::size_t count_ = 0;
+  world::Time began_;      // the last frame of a slow ball
+  world::Vector2d place_;  // [m] ball then
+  std::optional<world::RobotId> nearest_;
+  bool after_restart_ = false;  // it was fast when play began
+  double fastest_ = 0;          // [m/s] since then
   bool reported_ = false;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "autoref/detectors/detector.h"
@@ -26,8 +27,7 @@ class NoProgress final : public Detector {
   Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     progress_.reset();
-    sample_time_.reset();
-    place_.reset();
+    count_ = 0;
   }
 
  private:
@@ -35,9 +35,14 @@ class NoProgress final : public Detector {
   double distance_;
   world::Duration limit_;
   bool goalie_may_hold_;
-  std::optional<world::Time> progress_;     // when there was some last
-  std::optional<world::Time> sample_time_;  // of `place_`
-  std::optional<world::Vector2d> place_;    // [m]
+  struct Sample {
+    world::Time time;
+    world::Vector2d place;  // [m]
+  };
+  std::optional<world::Time> progress_;  // when there was some last
+  std::array<Sample, 72> samples_;       // a ring: the observed ball in the last second, 15 ms apart or more
+  std::size_t next_ = 0;
+  std::size_t count_ = 0;
 };
 
 }  // namespace detectors

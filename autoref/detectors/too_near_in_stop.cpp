@@ -5,7 +5,7 @@
 namespace detectors {
 namespace {
 
-constexpr double at_rest = 0.1;  // [m]
+constexpr double at_rest = 0.05;  // [m]
 
 }  // namespace
 

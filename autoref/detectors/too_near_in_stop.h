@@ -12,7 +12,7 @@ namespace detectors {
 /// Rule    laws of 2015, Laws 5 and 9: at least 0.5 m from the ball while the command is STOP (or GOAL). The
 ///         laws name no punishment before the restart: it is noted.
 /// Guard   stop_distance - distance_margin - (hull to ball)  [m] for stop_grace, the ball at rest meanwhile
-///         (within 0.1 m; a measure of speed would be at the mercy of noise).
+///         (within 50 mm; a measure of speed would be at the mercy of noise).
 /// Resets  a robot is reported once per stoppage.
 class TooNearInStop final : public Detector {
  public:

@@ -105,8 +105,9 @@ class Watch {
                        truth.ball.position.x(), truth.ball.position.y(), truth.ball.position.z(),
                        truth.ball.velocity.norm());
     if (const auto& ball = referee.frame().ball) {
-      out << fmt::format("  {} ({:7.3f}, {:7.3f}) at {:.3f} s", ball->observed ? "seen" : "lost",
-                         ball->position.x(), ball->position.y(), world::seconds(referee.frame().time));
+      out << fmt::format("  {} ({:7.3f}, {:7.3f}, {:6.3f}) {:5.2f} m/s at {:.3f} s",
+                         ball->observed ? "seen" : "lost", ball->position.x(), ball->position.y(),
+                         ball->position.z(), ball->velocity.norm(), world::seconds(referee.frame().time));
     }
     const auto who = [](world::RobotId id) { return fmt::format("{} {}", world::name(id.team), id.number); };
     for (const truth::Robot& robot : truth.robots) {

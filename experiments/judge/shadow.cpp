@@ -53,6 +53,7 @@ void Shadow::follow(Part& part, Location location, const world::GameState& state
       last_touch_.emplace();
       last_touch_->robot = *state.kicker;
       last_touch_->time = state.location_time;
+      last_touch_->position = state.kick_position.value_or(world::Vector2d::Zero());
     }
   } else if (part.running && !part.left) {
     part.left = state.location_time;

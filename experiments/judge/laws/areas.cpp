@@ -9,6 +9,25 @@ constexpr double at_hull = 0.005;  // [m]
 
 }  // namespace
 
+namespace {
+
+/// Whether another robot, also of the same team, touched the ball within a tick before or in this tick: then
+/// nobody outside can say which of them did.
+bool among_others(const Moment& moment, const TrueTouches::Contact& contact) {
+  const auto other = [&](const TrueTouches::Contact& one) {
+    return moment.touches[one.touch].robot != moment.touches[contact.touch].robot;
+  };
+  if (std::ranges::any_of(moment.touches.fresh(), other)) return true;
+  return std::ranges::any_of(
+      moment.touches.all().rbegin(),
+      moment.touches.all().rbegin() + std::min<std::ptrdiff_t>(6, std::ssize(moment.touches.all())),
+      [&](const TrueTouch& touch) {
+        return touch.robot != moment.touches[contact.touch].robot && contact.time - touch.end <= one_tick;
+      });
+}
+
+}  // namespace
+
 void Areas::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   const world::Field& field = moment.rules.field;
   const bool play = moment.in_play() && moment.outside(moment.now.ball) <= 0;
@@ -32,22 +51,31 @@ void Areas::watch(const Moment& moment, std::vector<TrueEvent>& out) {
       const world::Side side = defender ? own : world::other(own);
       const double depth = field.robot_radius - world::distance_to_defense_area(field, side, robot->position);
       const double margin = depth / moment.bands.length;
-      if (open.worst && (open.touch != contact.touch || open.worst->margin >= margin)) continue;
       if (margin <= -near_bands) continue;
+      if (open.worst && open.touch != contact.touch) continue;
+      const bool among = among_others(moment, contact);
+      if (open.worst && margin > 0 && open.worst->happened()) {
+        open.worst->until = contact.time;
+        open.worst->ambiguous = open.worst->ambiguous && among;
+      }
+      if (open.worst && open.worst->margin >= margin) continue;
       if (open.reported && contact.time - *open.reported < same_offence) {
         const auto same = std::ranges::find(out.rbegin(), out.rend(), kind, &TrueEvent::event);
         if (same != out.rend() && same->by == touch.robot && margin > 0) same->until = contact.time;
         continue;
       }
-      const world::Time began = open.worst ? open.worst->time : contact.time;
+      // Who dribbles into the area offends when the hull is in it.
+      const bool went_on = open.worst && open.worst->happened();
+      const world::Time began = went_on ? open.worst->time : contact.time;
       open.touch = contact.touch;
       open.worst = TrueEvent{.event = kind,
                              .time = began,
+                             .until = contact.time,
                              .margin = margin,
                              .value = depth,
                              .by = touch.robot,
                              .place = robot->position,
-                             .ambiguous = touch.squeezed};
+                             .ambiguous = went_on ? open.worst->ambiguous : among};
     }
   }
 }

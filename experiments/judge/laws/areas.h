@@ -11,8 +11,10 @@ namespace judge {
 /// Who may not play the ball where (Law 12): a defender other than the goalie in its own defense area, an
 /// attacker in the opponents'. The hull counts, as a disc, at the moment of a touch.
 ///
-/// Margin  the greatest depth of the hull in the area during the touch. Repetitions within two seconds are
-///         the same offence.
+/// Ambiguous  when another robot, also a team-mate, touched the ball within a tick of each of these contacts.
+/// Margin  the greatest depth of the hull in the area during the touch. It happens at the first contact
+/// inside
+///         and lasts as long as the touch is there. Repetitions within two seconds are the same offence.
 class Areas {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);

@@ -9,13 +9,19 @@ namespace judge {
 
 /// A robot made the ball faster than it may be (Law 12): the greatest speed between two touches, in space.
 ///
-/// Margin  the speed beyond the limit.
+/// Margin  the speed beyond the limit; of a ball that the next robot stopped sooner than after 0.2 s so much
+/// less
+///         as it flew shorter. In both cases a band is what the ball went farther than at the limit: 40 mm.
 class BallSpeed {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);
+  /// The game is over.
+  void finish(const world::RuleSet& rules, const Bands& bands, std::vector<TrueEvent>& out);
 
  private:
   void finish(const Moment& moment, std::vector<TrueEvent>& out);
+  static void tell(TrueEvent fastest, double flight, const world::RuleSet& rules, const Bands& bands,
+                   std::vector<TrueEvent>& out);
 
   std::optional<std::size_t> touch_;  // that began this flight
   TrueEvent fastest_;

@@ -20,11 +20,18 @@ void Kicks::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   if (!setup && restart_ && !left_) left_ = moment.now.time;
   if (moment.by_hand && !setup) restart_.reset();
   if (restart_) take(moment, out);
-  if (moment.in(world::Location::GameOff)) {
-    if (second_ && second_->pushed) report(out, *second_->pushed);
+  // The referee may have been early: it is watched for a little longer.
+  if (!moment.in(world::Location::GameOff))
+    stopped_.reset();
+  else if (!stopped_)
+    stopped_ = moment.now.time;
+  if (second_ && stopped_ && (moment.by_hand || moment.now.time >= *stopped_ + patience)) {
+    if (second_->pushed) report(out, *second_->pushed);
     second_.reset();
   }
+  const std::size_t first = out.size();
   if (second_) watch_second(moment, out);
+  for (std::size_t n = first; n < out.size(); ++n) out[n].late = stopped_ && out[n].time > *stopped_;
 }
 
 void Kicks::take(const Moment& moment, std::vector<TrueEvent>& out) {

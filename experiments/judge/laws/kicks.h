@@ -45,7 +45,8 @@ class Kicks {
 
   std::optional<Restart> restart_;
   std::optional<Second> second_;
-  std::optional<world::Time> left_;  // SETUP
+  std::optional<world::Time> left_;     // SETUP
+  std::optional<world::Time> stopped_;  // play
 };
 
 }  // namespace judge

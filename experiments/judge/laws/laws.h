@@ -31,6 +31,7 @@ class Laws {
   /// The game is over.
   void finish() {
     exits_.finish(bands_, events_);
+    ball_speed_.finish(rules_, bands_, events_);
     stops_.finish(events_);
   }
 

@@ -6,7 +6,7 @@ void RobotsOff::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   if (!moment.in_play() || moment.entered) {
     for (Watched& watched : robots_) {
       finish(watched, out);
-      watched = {Window(moment.rules.run_off_time)};
+      watched = {.window = Window(moment.rules.run_off_time), .told = watched.told};
     }
     too_many_since_ = {};
     reported_ = {};
@@ -24,9 +24,11 @@ void RobotsOff::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     const double beyond =
         world::distance_outside_lines(moment.rules.field, robot.position) - moment.rules.run_off;
     const double margin = beyond / moment.bands.length;
+    if (beyond <= 0) watched.told = false;
+    if (watched.told) continue;
     if (margin <= -near_bands) {
       finish(watched, out);
-      watched = {Window(moment.rules.run_off_time)};
+      watched = {.window = Window(moment.rules.run_off_time)};
       continue;
     }
     watched.window.add(moment.now.time, margin);
@@ -62,7 +64,10 @@ void RobotsOff::watch(const Moment& moment, std::vector<TrueEvent>& out) {
 }
 
 void RobotsOff::finish(Watched& watched, std::vector<TrueEvent>& out) {
-  if (watched.worst) report(out, *watched.worst);
+  if (watched.worst) {
+    report(out, *watched.worst);
+    watched.told = watched.worst->margin > 0;
+  }
   watched.worst.reset();
 }
 

@@ -11,6 +11,7 @@ namespace judge {
 
 /// Robots that are outside the field for too long (Law 12, caution 7), and teams with too many (Law 3).
 ///
+/// Once     for a robot that stays out from one passage of play to the next.
 /// Margins  how far beyond the run-off the robot stayed for all of the time; two bands for a robot too many,
 ///          or the time if it was off again soon.
 class RobotsOff {
@@ -22,6 +23,7 @@ class RobotsOff {
     Window window;
     std::optional<TrueEvent> worst{};
     bool passed = false;
+    bool told = false;  // in an earlier passage of play, and not back since
   };
   void finish(Watched& watched, std::vector<TrueEvent>& out);
 

@@ -12,10 +12,11 @@ constexpr world::Duration agreed = std::chrono::milliseconds{300};
 
 }  // namespace
 
-bool Settling::ready(const Moment& moment) const {
+bool Settling::ready(const Moment& moment, int wider) const {
   if (!moment.state.is_kickoff) return true;
   return std::ranges::all_of(moment.now.robots, [&](const truth::Robot& robot) {
-    return robot.position.x() * world::sign(world::defended_side(moment.state, robot.id.team)) >= 0;
+    const double own = world::sign(world::defended_side(moment.state, robot.id.team));
+    return robot.position.x() * own >= -wider * moment.bands.length;
   });
 }
 
@@ -26,12 +27,7 @@ bool Settling::steady(const Moment& moment, int wider) const {
   if (robot_speed_ > rules.robot_settled_speed + wider * robot_speed_band) return false;
   const auto& place = moment.state.reset_position;
   if (place && (moment.ball() - *place).norm() > rules.placement_tolerance + wider * place_band) return false;
-  if (!moment.state.is_kickoff) return true;
-  for (const truth::Robot& robot : moment.now.robots) {
-    const double own = world::sign(world::defended_side(moment.state, robot.id.team));
-    if (robot.position.x() * own < -wider * moment.bands.length) return false;
-  }
-  return true;
+  return ready(moment, wider);
 }
 
 void Settling::measure(const Moment& moment) {
@@ -55,7 +51,15 @@ void Settling::measure(const Moment& moment) {
 void Settling::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   const bool off = moment.in(world::Location::GameOff);
   const bool anew = off && (moment.entered || moment.state.command_counter != counter_ || !waiting_);
-  if (waiting_ && anew) finish(out);
+  if (waiting_ && anew) {
+    // The next command was given a moment ago: what was about to be settled counts.
+    for (Wait& wait : waits_) {
+      const world::Duration limit = moment.rules.settle_limit * (ready(moment, 0) ? 1 : 2);
+      const bool nearly = moment.now.time - wait.begin >= limit - agreed;
+      if (!wait.settled && nearly) wait.settled = moment.now.time;
+    }
+    finish(out);
+  }
   if (anew) {
     waiting_ = true;
     counter_ = moment.state.command_counter;
@@ -77,7 +81,7 @@ void Settling::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     Wait& wait = waits_[static_cast<std::size_t>(n)];
     if (wait.settled) continue;
     if (!steady(moment, n - 1)) wait.steady = moment.now.time;
-    const world::Duration limit = moment.rules.settle_limit * (ready(moment) ? 1 : 2);
+    const world::Duration limit = moment.rules.settle_limit * (ready(moment, n - 1) ? 1 : 2);
     if (moment.now.time - wait.steady >= moment.rules.settled_for || moment.now.time - wait.begin >= limit) {
       wait.settled = moment.now.time;
     }
@@ -91,7 +95,9 @@ void Settling::finish(std::vector<TrueEvent>& out) {
   const bool clear = narrow.settled && *narrow.settled - *wide.settled <= agreed;
   TrueEvent event;
   event.event = Event::RobotsSettled;
-  event.time = as_is.settled.value_or(*wide.settled);
+  event.time = clear ? as_is.settled.value_or(*wide.settled) : *wide.settled;
+  // Where the bands disagree, anything from the first of them on is right.
+  event.until = narrow.settled.value_or(left_.value_or(event.time));
   event.margin = clear ? near_bands : as_is.settled ? 0.5 : -0.5;
   out.push_back(event);
 }

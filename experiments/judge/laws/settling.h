@@ -26,7 +26,7 @@ class Settling {
   };
   void measure(const Moment& moment);
   bool steady(const Moment& moment, int wider) const;
-  bool ready(const Moment& moment) const;
+  bool ready(const Moment& moment, int wider) const;
   void finish(std::vector<TrueEvent>& out);
 
   bool waiting_ = false;

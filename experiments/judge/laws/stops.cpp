@@ -3,7 +3,7 @@
 namespace judge {
 namespace {
 
-constexpr double at_rest = 0.1;  // [m] a ball that has not moved farther lies
+constexpr double at_rest = 0.05;  // [m] a ball that has not moved farther lies
 
 }  // namespace
 

@@ -63,18 +63,18 @@ std::vector<GameEvent> crash(Vector2d yellow_velocity, Vector2d blue_velocity, d
 }
 
 TEST(Collision, ComparesTheClosingSpeedWithTheLimitAndTheBraking) {
-  EXPECT_TRUE(crash({1.79, 0}, {0, 0}).empty());
-  const auto events = crash({1.81, 0}, {0, 0});
+  EXPECT_TRUE(crash({1.59, 0}, {0, 0}).empty());
+  const auto events = crash({1.61, 0}, {0, 0});
   ASSERT_EQ(events.size(), 1u);
   const auto& crash_ = std::get<world::BotCrashUnique>(events[0].what);
   EXPECT_EQ(crash_.by, yellow_3);
   EXPECT_EQ(crash_.victim, blue_5);
-  EXPECT_NEAR(crash_.speed, 1.81, 1e-9);
+  EXPECT_NEAR(crash_.speed, 1.61, 1e-9);
 }
 
 TEST(Collision, MeasuresAlongTheLineBetweenTheRobots) {
   // 0.15 m aside at a reach of 0.18 m: the line is turned by asin(0.15 / 0.18), cosine 0.553.
-  EXPECT_TRUE(crash({2.9, 0}, {0, 0}, 0.15).empty());
+  EXPECT_TRUE(crash({2.8, 0}, {0, 0}, 0.15).empty());
   EXPECT_FALSE(crash({3.4, 0}, {0, 0}, 0.15).empty());
   EXPECT_TRUE(crash({3.4, 0}, {0, 0}, 0.185).empty());  // passes by
 }
