@@ -12,6 +12,7 @@
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/host/play.h"
+#include "experiments/judge/failures.h"
 #include "experiments/judge/game_file.h"
 #include "experiments/judge/tables.h"
 #include "experiments/process/child.h"
@@ -214,7 +215,8 @@ void write_tables(const fs::path& folder, const std::vector<judge::GameResult>& 
 }
 
 /// One passage of one game again, tick by tick; `where` is GAME:FIRST-LAST as in failures.csv.
-int show(const schedule::Design& design, const std::string& where) {
+/// @param save  where the passage is written as a recorded scenario; empty: nowhere
+int show(const schedule::Design& design, const std::string& where, const std::filesystem::path& save) {
   const auto colon = where.rfind(':');
   const auto dash = where.rfind('-');
   judge::Passage passage;
@@ -229,6 +231,7 @@ int show(const schedule::Design& design, const std::string& where) {
   }
   const schedule::Game game = schedule::find_game(design, where.substr(0, colon));
   passage.out = &std::cout;
+  passage.save = save;
   runner::Signals signals;
   host::Options settings;
   settings.cpu = ::sched_getcpu();
@@ -248,7 +251,11 @@ int judge(const JudgeOptions& options) {
   for (std::size_t i = 0; i < design.conditions.size(); ++i) {
     host::check(schedule::game(design, 2 * i).config);
   }
-  if (!options.show.empty()) return show(design, options.show);
+  if (!options.save.empty() && options.show.empty()) {
+    throw std::invalid_argument("--save " + options.save.string() +
+                                ": only a passage can be saved; give --show GAME:FIRST-LAST too");
+  }
+  if (!options.show.empty()) return show(design, options.show, options.save);
   Judging judging(options, design);
   std::cerr << fmt::format("{}: {} games, realism {}, rule set {}, {} shadows, results in {}", design.name,
                            judging.count(), record::text(design.realism), design.rules,

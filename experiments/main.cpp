@@ -190,6 +190,8 @@ void add_judge(CLI::App& main, commands::JudgeOptions& options) {
   app.add_option("--show", options.show,
                  "only play one game again and tell a passage tick by tick: GAME:FIRST-LAST, as failures.csv "
                  "names it");
+  app.add_option("--save", options.save,
+                 "with --show: write the passage as a recorded scenario, FILE.log.gz and FILE.json");
   app.add_flag("--sweep", options.sweep, "compare referees with worse and better eyes: 14 shadows");
 }
 

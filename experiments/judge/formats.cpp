@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "experiments/judge/failures.h"
 #include "experiments/judge/tables.h"
 #include "experiments/record/json_text.h"
 

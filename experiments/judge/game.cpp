@@ -6,12 +6,15 @@
 #include <charconv>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <utility>
 
 #include "experiments/host/match.h"
+#include "experiments/judge/failures.h"
 #include "experiments/judge/laws/laws.h"
+#include "experiments/judge/snippet.h"
 #include "sim/engine/realism.h"
 #include "sim/vision/cameras.h"
 
@@ -79,6 +82,7 @@ class Watch {
       last_frame_ = frame.time;
       timeline_.add(frame.time, before_);
       judge_until(frame.time);
+      if (snippet_) snippet_->frame(frame.time, timeline_.at(frame.time), by_hand_);
       const world::GameState& state = timeline_.at(frame.time);
       for (Witness& witness : witnesses_) witness.see(frame, images, state);
       ours_.see(frame, state, by_hand_);
@@ -92,7 +96,17 @@ class Watch {
         one.shadow->see(one.cameras ? one.cameras->delivered() : images, timeline_, by_hand_);
       }
     }
+    if (snippet_) snippet_->tick(engine, referee);
     before_ = referee.state();
+  }
+
+  /// From now on a passage is kept.
+  void keep(const Passage& passage) {
+    snippet_.emplace(passage.save, rules_.name, passage.first, passage.last);
+  }
+  /// @return the cases in it
+  std::vector<Case> save(const std::string& game) {
+    return snippet_->close(game, laws_.events(), ours_.calls());
   }
 
   void end() { laws_.finish(); }
@@ -218,7 +232,8 @@ class Watch {
   std::deque<truth::Frame> truths_;  // not yet judged
   std::deque<Sighting> seen_;        // balls, lately
   std::vector<float> heights_;       // [m] the ball's centre, by tick
-  world::GameState before_;          // of the acting referee when the tick began
+  std::optional<SnippetWriter> snippet_;
+  world::GameState before_;  // of the acting referee when the tick began
   world::Time last_frame_;
   bool by_hand_ = false;
 };
@@ -229,6 +244,7 @@ GameResult play_judged(const std::string& game, const record::MatchConfig& confi
                        const std::vector<ShadowConfig>& shadows, const host::Options& options,
                        const Passage& passage) {
   Watch watch(config, shadows);
+  if (!passage.save.empty()) watch.keep(passage);
   host::Options with_watch = options;
   with_watch.on_start = [&](engine::Engine& engine) { watch.start(engine); };
   with_watch.on_tick = [&](const engine::Engine& engine, const referee::Referee& referee) {
@@ -249,6 +265,12 @@ GameResult play_judged(const std::string& game, const record::MatchConfig& confi
   watch.end();
   watch.finish(result);
   if (passage.out != nullptr) watch.tell_events(passage);
+  if (!passage.save.empty()) {
+    for (const Case& one : watch.save(game)) {
+      *passage.out << fmt::format("kept: {}, {}; {}\n", judge::name(one.event), judge::name(one.result),
+                                  sentence(one));
+    }
+  }
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <iosfwd>
 #include <map>
 #include <string>
@@ -54,6 +55,7 @@ struct GameResult {
 struct Passage {
   std::int64_t first = 0, last = -1;  ///< ticks
   std::ostream* out = nullptr;
+  std::filesystem::path save{};  ///< and to be written as a Snippet; empty: it is not
 };
 
 /// Plays the game, judged by its rule set, with all shadows looking on.

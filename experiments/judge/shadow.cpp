@@ -54,6 +54,7 @@ void Shadow::follow(Part& part, Location location, const world::GameState& state
       last_touch_->robot = *state.kicker;
       last_touch_->time = state.location_time;
     }
+    if (!joined_) last_touch_ = state.last_touch;
   } else if (part.running && !part.left) {
     part.left = state.location_time;
   }
@@ -86,6 +87,7 @@ void Shadow::see(const world::TrackedFrame& frame, const world::GameState& state
       take(event, frame, part, chipped);
     }
   }
+  joined_ = true;
 }
 
 void Shadow::take(const world::GameEvent& event, const world::TrackedFrame& frame, const Part& part,

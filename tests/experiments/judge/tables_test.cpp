@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiments/judge/failures.h"
 #include "experiments/judge/game_file.h"
 
 namespace judge {
