@@ -19,6 +19,7 @@
 #include "experiments/record/ledger.h"
 #include "experiments/runner/manifest.h"
 #include "experiments/runner/program_files.h"
+#include "experiments/runner/result_folder.h"
 #include "experiments/runner/signals.h"
 #include "experiments/schedule/schedule.h"
 #include "sim/wire/match.h"
@@ -68,7 +69,8 @@ std::string shell_line(const std::vector<std::string>& words) {
 class Judging {
  public:
   Judging(const JudgeOptions& options, const schedule::Design& design)
-      : folder_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out) {
+      : held_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out),
+        folder_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out) {
     if (design.conditions.size() > 1) {
       for (const schedule::Condition& condition : design.conditions) {
         if (condition.realism.preset != design.conditions.front().realism.preset) {
@@ -200,6 +202,7 @@ class Judging {
               << std::endl;
   }
 
+  runner::ResultFolder held_;  // against a second run
   fs::path folder_;
   std::vector<judge::ShadowConfig> shadows_;
   std::vector<schedule::Game> games_;
@@ -269,10 +272,11 @@ int judge(const JudgeOptions& options) {
   for (const judge::GameResult& game : games) ticks += game.ticks;
   const std::string intro = fmt::format(
       "# The referee against the truth: {}\n\n{} of {} games, {:.1f} h simulated, rule set {}, realism {}.\n"
-      "Made by `{}`; how to make it again: manifest.json. Failing cases: failures.csv.\n\n",
+      "Made by `{}`; how to make it again: manifest.json. Failing cases: failures.csv.\n"
+      "Penalty kicks and shoot-outs are not judged.\n\n",
       design.name, games.size(), judging.count(), static_cast<double>(ticks) / world::ticks_per_second / 3600,
       design.rules, record::text(design.conditions.front().realism), command);
-  const std::vector<judge::Table> tables = judge::tables(games);
+  const std::vector<judge::Table> tables = judge::tables(games, command);
   write_tables(judging.folder(), games, tables, intro);
   if (signal) {
     std::cerr << "interrupted, nothing is lost; continue with: " << command << std::endl;

@@ -15,6 +15,7 @@ struct Table {
   std::string note;  ///< what the columns mean
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
+  std::string command{};  ///< that made it
 };
 
 /// Fewer than this are too few to say anything: what the study asks for.
@@ -27,7 +28,8 @@ struct Wanted {
 Wanted wanted_of(std::string_view preset);
 
 /// Tables a to h. All games are of one realism.
-std::vector<Table> tables(std::span<const GameResult> games);
+/// @param command  that made them, to be written with each
+std::vector<Table> tables(std::span<const GameResult> games, const std::string& command = {});
 
 std::string as_markdown(std::span<const Table> tables);
 std::string as_csv(const Table& table);
