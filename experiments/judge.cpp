@@ -14,6 +14,7 @@
 #include "experiments/host/play.h"
 #include "experiments/judge/failures.h"
 #include "experiments/judge/game_file.h"
+#include "experiments/judge/net/namespace.h"
 #include "experiments/judge/tables.h"
 #include "experiments/process/child.h"
 #include "experiments/record/ledger.h"
@@ -81,8 +82,11 @@ class Judging {
     }
     std::vector<std::string> shadows = {"rules=paper"};
     shadows.insert(shadows.end(), options.shadows.begin(), options.shadows.end());
-    for (const std::string& text : shadows) {
+    for (std::string text : shadows) {
+      if (text.starts_with("net:") && options.net_speed != 1)
+        text.insert(3, fmt::format("@{}", options.net_speed));
       add(judge::parse_shadow(text));
+      if (!shadows_.back().command.empty()) judge::check_network_namespace();
     }
     if (options.sweep) {
       for (const judge::ShadowConfig& shadow : judge::sweeps()) add(shadow);
@@ -273,7 +277,7 @@ int judge(const JudgeOptions& options) {
   const std::string intro = fmt::format(
       "# The referee against the truth: {}\n\n{} of {} games, {:.1f} h simulated, rule set {}, realism {}.\n"
       "Made by `{}`; how to make it again: manifest.json. Failing cases: failures.csv.\n"
-      "Penalty kicks and shoot-outs are not judged.\n\n",
+      "Who stands where at penalty kicks and in shoot-outs is not judged.\n\n",
       design.name, games.size(), judging.count(), static_cast<double>(ticks) / world::ticks_per_second / 3600,
       design.rules, record::text(design.conditions.front().realism), command);
   const std::vector<judge::Table> tables = judge::tables(games, command);

@@ -14,6 +14,8 @@
 #include "experiments/host/match.h"
 #include "experiments/judge/failures.h"
 #include "experiments/judge/laws/laws.h"
+#include "experiments/judge/net/net_shadow.h"
+#include "experiments/judge/net/reported.h"
 #include "experiments/judge/snippet.h"
 #include "sim/engine/realism.h"
 #include "sim/vision/cameras.h"
@@ -50,6 +52,10 @@ class Watch {
         witnesses_(all_witnesses(model_.geometry.field)),
         ours_(acting_name, model_.geometry, rules_) {
     for (const ShadowConfig& shadow : shadows) {
+      if (!shadow.command.empty()) {
+        outside_.emplace_back(shadow.name, shadow.command, shadow.net_speed, model_.geometry, rules_);
+        continue;
+      }
       Onlooker one;
       if (!shadow.realism.empty()) {
         record::RealismConfig realism = config.realism;
@@ -96,6 +102,7 @@ class Watch {
         one.shadow->see(one.cameras ? one.cameras->delivered() : images, timeline_, by_hand_);
       }
     }
+    for (NetShadow& one : outside_) one.tick(engine, referee);
     if (snippet_) snippet_->tick(engine, referee);
     before_ = referee.state();
   }
@@ -109,7 +116,10 @@ class Watch {
     return snippet_->close(game, laws_.events(), ours_.calls());
   }
 
-  void end() { laws_.finish(); }
+  void end() {
+    laws_.finish();
+    for (NetShadow& one : outside_) one.end();
+  }
 
   /// One line: the exact ball, who touches it, and what the referee sees of it.
   void tell(const engine::Engine& engine, const referee::Referee& referee, std::ostream& out) const {
@@ -179,6 +189,12 @@ class Watch {
       const std::vector<Case> cases = pair(shadow.name(), truth, shadow.calls(), shadow.rules());
       result.cases.insert(result.cases.end(), cases.begin(), cases.end());
     }
+    for (const NetShadow& shadow : outside_) {
+      result.shadows.push_back(shadow.name());
+      std::vector<Case> cases = pair(shadow.name(), truth, shadow.calls(), shadow.rules());
+      std::erase_if(cases, [](const Case& one) { return !can_be_reported(one.event); });
+      result.cases.insert(result.cases.end(), cases.begin(), cases.end());
+    }
     for (Case& one : result.cases) one.chip = one.result == Result::Extra && flew(*one.call);
     for (const Witness& witness : witnesses_) {
       result.witnesses.push_back(witness.name());
@@ -228,6 +244,7 @@ class Watch {
   std::vector<Witness> witnesses_;
   Shadow ours_;
   std::vector<Onlooker> onlookers_;
+  std::vector<NetShadow> outside_;
   Timeline timeline_;
   std::deque<truth::Frame> truths_;  // not yet judged
   std::deque<Sighting> seen_;        // balls, lately
