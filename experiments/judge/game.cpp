@@ -102,10 +102,20 @@ class Watch {
         one.shadow->see(one.cameras ? one.cameras->delivered() : images, timeline_, by_hand_);
       }
     }
-    for (NetShadow& one : outside_) one.tick(engine, referee);
+    for (NetShadow& one : outside_) {
+      if (!failure_.empty()) break;
+      try {
+        one.tick(engine, referee);
+      } catch (const std::runtime_error& error) {
+        failure_ = error.what();
+      }
+    }
     if (snippet_) snippet_->tick(engine, referee);
     before_ = referee.state();
   }
+
+  /// Why an outside autoref could not go on; empty: it could.
+  const std::string& failure() const { return failure_; }
 
   /// From now on a passage is kept.
   void keep(const Passage& passage) {
@@ -249,6 +259,7 @@ class Watch {
   std::deque<truth::Frame> truths_;  // not yet judged
   std::deque<Sighting> seen_;        // balls, lately
   std::vector<float> heights_;       // [m] the ball's centre, by tick
+  std::string failure_;
   std::optional<SnippetWriter> snippet_;
   world::GameState before_;  // of the acting referee when the tick began
   world::Time last_frame_;
@@ -270,6 +281,9 @@ GameResult play_judged(const std::string& game, const record::MatchConfig& confi
       watch.tell(engine, referee, *passage.out);
     }
   };
+  with_watch.interrupted = [&] {
+    return !watch.failure().empty() || (options.interrupted && options.interrupted());
+  };
   const record::MatchRecord record = host::play(config, with_watch);
 
   GameResult result;
@@ -279,6 +293,7 @@ GameResult play_judged(const std::string& game, const record::MatchConfig& confi
   result.ticks = record.ticks;
   result.hash = record.hash;
   if (record.at_fault != record::Party::Nobody) result.fault = record.reason;
+  if (!watch.failure().empty()) result.fault = watch.failure();
   watch.end();
   watch.finish(result);
   if (passage.out != nullptr) watch.tell_events(passage);

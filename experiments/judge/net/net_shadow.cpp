@@ -60,7 +60,9 @@ struct NetShadow::Inside {
   wire::proto::SSL_WrapperPacket geometry_packet, packet;
   wire::proto::Referee message;
   std::string geometry_bytes, bytes;
-  std::uint32_t command_counter = 0;
+  world::RefereeMessage shown;        // the acting referee's, as the program knows it
+  bool in_play = false;               // as it knows
+  std::uint32_t command_counter = 0;  // sent last
   std::vector<matchday::referee::GameEvent> reports;
   world::GameState state;  // of the acting referee, lately
   world::Time now;
@@ -115,10 +117,17 @@ void NetShadow::tick(const engine::Engine& engine, const referee::Referee& refer
     in.packet.SerializeToString(&in.bytes);
     in.sender.send(in.bytes, vision_group);
   }
-  const bool due =
-      std::exchange(in.command_counter, referee.message().command_counter) != in.command_counter ||
-      engine.tick() % message_interval == 0;
-  if (due) in.send(referee.message());
+  // It must not hear of the whistle before it can have seen why: it would stop looking.
+  const world::GameState& state = referee.state();
+  const bool held =
+      state.location != world::Location::GameOn && engine.time() < state.location_time + linger && in.in_play;
+  if (!held) {
+    in.shown = referee.message();
+    in.in_play = state.location == world::Location::GameOn;
+  }
+  const bool due = std::exchange(in.command_counter, in.shown.command_counter) != in.shown.command_counter ||
+                   engine.tick() % message_interval == 0;
+  if (due) in.send(in.shown);
   in.child.drain();
   in.port.listen(in.reports);
   in.state = referee.state();
