@@ -137,6 +137,8 @@ struct JudgeOptions {
   int workers = 0;                        ///< 0: one per processor
   std::vector<std::string> shadows;       ///< besides the acting referee and rule set paper
   std::string show;                       ///< GAME:FIRST-LAST: only tell that passage
+  double net_speed = 1;                   ///< pace of outside autorefs, in real times
+  std::filesystem::path save{};           ///< and write it there as a recorded scenario
   bool sweep = false;                     ///< and those of the sweeps
   std::string version;                    ///< of matchday
   std::vector<std::string> command_line;  ///< as we were called

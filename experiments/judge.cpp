@@ -12,12 +12,15 @@
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/host/play.h"
+#include "experiments/judge/failures.h"
 #include "experiments/judge/game_file.h"
+#include "experiments/judge/net/namespace.h"
 #include "experiments/judge/tables.h"
 #include "experiments/process/child.h"
 #include "experiments/record/ledger.h"
 #include "experiments/runner/manifest.h"
 #include "experiments/runner/program_files.h"
+#include "experiments/runner/result_folder.h"
 #include "experiments/runner/signals.h"
 #include "experiments/schedule/schedule.h"
 #include "sim/wire/match.h"
@@ -67,7 +70,8 @@ std::string shell_line(const std::vector<std::string>& words) {
 class Judging {
  public:
   Judging(const JudgeOptions& options, const schedule::Design& design)
-      : folder_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out) {
+      : held_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out),
+        folder_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out) {
     if (design.conditions.size() > 1) {
       for (const schedule::Condition& condition : design.conditions) {
         if (condition.realism.preset != design.conditions.front().realism.preset) {
@@ -78,8 +82,11 @@ class Judging {
     }
     std::vector<std::string> shadows = {"rules=paper"};
     shadows.insert(shadows.end(), options.shadows.begin(), options.shadows.end());
-    for (const std::string& text : shadows) {
+    for (std::string text : shadows) {
+      if (text.starts_with("net:") && options.net_speed != 1)
+        text.insert(3, fmt::format("@{}", options.net_speed));
       add(judge::parse_shadow(text));
+      if (!shadows_.back().command.empty()) judge::check_network_namespace();
     }
     if (options.sweep) {
       for (const judge::ShadowConfig& shadow : judge::sweeps()) add(shadow);
@@ -199,6 +206,7 @@ class Judging {
               << std::endl;
   }
 
+  runner::ResultFolder held_;  // against a second run
   fs::path folder_;
   std::vector<judge::ShadowConfig> shadows_;
   std::vector<schedule::Game> games_;
@@ -214,7 +222,8 @@ void write_tables(const fs::path& folder, const std::vector<judge::GameResult>& 
 }
 
 /// One passage of one game again, tick by tick; `where` is GAME:FIRST-LAST as in failures.csv.
-int show(const schedule::Design& design, const std::string& where) {
+/// @param save  where the passage is written as a recorded scenario; empty: nowhere
+int show(const schedule::Design& design, const std::string& where, const std::filesystem::path& save) {
   const auto colon = where.rfind(':');
   const auto dash = where.rfind('-');
   judge::Passage passage;
@@ -229,6 +238,7 @@ int show(const schedule::Design& design, const std::string& where) {
   }
   const schedule::Game game = schedule::find_game(design, where.substr(0, colon));
   passage.out = &std::cout;
+  passage.save = save;
   runner::Signals signals;
   host::Options settings;
   settings.cpu = ::sched_getcpu();
@@ -248,7 +258,11 @@ int judge(const JudgeOptions& options) {
   for (std::size_t i = 0; i < design.conditions.size(); ++i) {
     host::check(schedule::game(design, 2 * i).config);
   }
-  if (!options.show.empty()) return show(design, options.show);
+  if (!options.save.empty() && options.show.empty()) {
+    throw std::invalid_argument("--save " + options.save.string() +
+                                ": only a passage can be saved; give --show GAME:FIRST-LAST too");
+  }
+  if (!options.show.empty()) return show(design, options.show, options.save);
   Judging judging(options, design);
   std::cerr << fmt::format("{}: {} games, realism {}, rule set {}, {} shadows, results in {}", design.name,
                            judging.count(), record::text(design.realism), design.rules,
@@ -262,10 +276,11 @@ int judge(const JudgeOptions& options) {
   for (const judge::GameResult& game : games) ticks += game.ticks;
   const std::string intro = fmt::format(
       "# The referee against the truth: {}\n\n{} of {} games, {:.1f} h simulated, rule set {}, realism {}.\n"
-      "Made by `{}`; how to make it again: manifest.json. Failing cases: failures.csv.\n\n",
+      "Made by `{}`; how to make it again: manifest.json. Failing cases: failures.csv.\n"
+      "Who stands where at penalty kicks and in shoot-outs is not judged.\n\n",
       design.name, games.size(), judging.count(), static_cast<double>(ticks) / world::ticks_per_second / 3600,
       design.rules, record::text(design.conditions.front().realism), command);
-  const std::vector<judge::Table> tables = judge::tables(games);
+  const std::vector<judge::Table> tables = judge::tables(games, command);
   write_tables(judging.folder(), games, tables, intro);
   if (signal) {
     std::cerr << "interrupted, nothing is lost; continue with: " << command << std::endl;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "experiments/judge/failures.h"
 #include "experiments/judge/tables.h"
 #include "experiments/record/json_text.h"
 
@@ -41,12 +42,14 @@ std::string as_markdown(std::span<const Table> tables) {
     text += markdown_line(std::vector<std::string>(table.columns.size(), "---"));
     for (const auto& row : table.rows) text += markdown_line(row);
     text += "\n";
+    if (!table.command.empty()) text += fmt::format("Made by `{}`\n\n", table.command);
   }
   return text;
 }
 
 std::string as_csv(const Table& table) {
-  std::string text = csv_line(table.columns);
+  std::string text = table.command.empty() ? "" : "# made by " + table.command + "\n";
+  text += csv_line(table.columns);
   for (const auto& row : table.rows) text += csv_line(row);
   return text;
 }
@@ -55,9 +58,10 @@ std::string as_json(std::span<const Table> tables) {
   std::string text = "{";
   for (std::size_t n = 0; n < tables.size(); ++n) {
     const Table& table = tables[n];
-    text += fmt::format("{}\n  {}: {{\"title\": {}, \"note\": {}, \"columns\": {}, \"rows\": [",
-                        n > 0 ? "," : "", record::quoted(table.name), record::quoted(table.title),
-                        record::quoted(table.note), json_list(table.columns));
+    text +=
+        fmt::format("{}\n  {}: {{\"title\": {}, \"command\": {}, \"note\": {}, \"columns\": {}, \"rows\": [",
+                    n > 0 ? "," : "", record::quoted(table.name), record::quoted(table.title),
+                    record::quoted(table.command), record::quoted(table.note), json_list(table.columns));
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
       text += (r > 0 ? ",\n    " : "\n    ") + json_list(table.rows[r]);
     }

@@ -6,12 +6,17 @@
 #include <charconv>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <utility>
 
 #include "experiments/host/match.h"
+#include "experiments/judge/failures.h"
 #include "experiments/judge/laws/laws.h"
+#include "experiments/judge/net/net_shadow.h"
+#include "experiments/judge/net/reported.h"
+#include "experiments/judge/snippet.h"
 #include "sim/engine/realism.h"
 #include "sim/vision/cameras.h"
 
@@ -47,6 +52,10 @@ class Watch {
         witnesses_(all_witnesses(model_.geometry.field)),
         ours_(acting_name, model_.geometry, rules_) {
     for (const ShadowConfig& shadow : shadows) {
+      if (!shadow.command.empty()) {
+        outside_.emplace_back(shadow.name, shadow.command, shadow.net_speed, model_.geometry, rules_);
+        continue;
+      }
       Onlooker one;
       if (!shadow.realism.empty()) {
         record::RealismConfig realism = config.realism;
@@ -79,6 +88,7 @@ class Watch {
       last_frame_ = frame.time;
       timeline_.add(frame.time, before_);
       judge_until(frame.time);
+      if (snippet_) snippet_->frame(frame.time, timeline_.at(frame.time), by_hand_);
       const world::GameState& state = timeline_.at(frame.time);
       for (Witness& witness : witnesses_) witness.see(frame, images, state);
       ours_.see(frame, state, by_hand_);
@@ -92,10 +102,34 @@ class Watch {
         one.shadow->see(one.cameras ? one.cameras->delivered() : images, timeline_, by_hand_);
       }
     }
+    for (NetShadow& one : outside_) {
+      if (!failure_.empty()) break;
+      try {
+        one.tick(engine, referee);
+      } catch (const std::runtime_error& error) {
+        failure_ = error.what();
+      }
+    }
+    if (snippet_) snippet_->tick(engine, referee);
     before_ = referee.state();
   }
 
-  void end() { laws_.finish(); }
+  /// Why an outside autoref could not go on; empty: it could.
+  const std::string& failure() const { return failure_; }
+
+  /// From now on a passage is kept.
+  void keep(const Passage& passage) {
+    snippet_.emplace(passage.save, rules_.name, passage.first, passage.last);
+  }
+  /// @return the cases in it
+  std::vector<Case> save(const std::string& game) {
+    return snippet_->close(game, laws_.events(), ours_.calls());
+  }
+
+  void end() {
+    laws_.finish();
+    for (NetShadow& one : outside_) one.end();
+  }
 
   /// One line: the exact ball, who touches it, and what the referee sees of it.
   void tell(const engine::Engine& engine, const referee::Referee& referee, std::ostream& out) const {
@@ -166,6 +200,12 @@ class Watch {
       const std::vector<Case> cases = pair(shadow.name(), truth, shadow.calls(), shadow.rules());
       result.cases.insert(result.cases.end(), cases.begin(), cases.end());
     }
+    for (const NetShadow& shadow : outside_) {
+      result.shadows.push_back(shadow.name());
+      std::vector<Case> cases = pair(shadow.name(), truth, shadow.calls(), shadow.rules());
+      std::erase_if(cases, [](const Case& one) { return !can_be_reported(one.event); });
+      result.cases.insert(result.cases.end(), cases.begin(), cases.end());
+    }
     for (Case& one : result.cases) one.chip = one.result == Result::Extra && flew(*one.call);
     for (const Witness& witness : witnesses_) {
       result.witnesses.push_back(witness.name());
@@ -215,11 +255,14 @@ class Watch {
   std::vector<Witness> witnesses_;
   Shadow ours_;
   std::vector<Onlooker> onlookers_;
+  std::vector<NetShadow> outside_;
   Timeline timeline_;
   std::deque<truth::Frame> truths_;  // not yet judged
   std::deque<Sighting> seen_;        // balls, lately
   std::vector<float> heights_;       // [m] the ball's centre, by tick
-  world::GameState before_;          // of the acting referee when the tick began
+  std::string failure_;
+  std::optional<SnippetWriter> snippet_;
+  world::GameState before_;  // of the acting referee when the tick began
   world::Time last_frame_;
   bool by_hand_ = false;
 };
@@ -230,6 +273,7 @@ GameResult play_judged(const std::string& game, const record::MatchConfig& confi
                        const std::vector<ShadowConfig>& shadows, const host::Options& options,
                        const Passage& passage) {
   Watch watch(config, shadows);
+  if (!passage.save.empty()) watch.keep(passage);
   host::Options with_watch = options;
   with_watch.on_start = [&](engine::Engine& engine) { watch.start(engine); };
   with_watch.on_tick = [&](const engine::Engine& engine, const referee::Referee& referee) {
@@ -237,6 +281,9 @@ GameResult play_judged(const std::string& game, const record::MatchConfig& confi
     if (engine.tick() >= passage.first && engine.tick() <= passage.last) {
       watch.tell(engine, referee, *passage.out);
     }
+  };
+  with_watch.interrupted = [&] {
+    return !watch.failure().empty() || (options.interrupted && options.interrupted());
   };
   const record::MatchRecord record = host::play(config, with_watch);
 
@@ -247,9 +294,16 @@ GameResult play_judged(const std::string& game, const record::MatchConfig& confi
   result.ticks = record.ticks;
   result.hash = record.hash;
   if (record.at_fault != record::Party::Nobody) result.fault = record.reason;
+  if (!watch.failure().empty()) result.fault = watch.failure();
   watch.end();
   watch.finish(result);
   if (passage.out != nullptr) watch.tell_events(passage);
+  if (!passage.save.empty()) {
+    for (const Case& one : watch.save(game)) {
+      *passage.out << fmt::format("kept: {}, {}; {}\n", judge::name(one.event), judge::name(one.result),
+                                  sentence(one));
+    }
+  }
   return result;
 }
 

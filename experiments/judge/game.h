@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <iosfwd>
 #include <map>
 #include <string>
@@ -20,13 +21,15 @@ struct ShadowConfig {
   std::map<std::string, double> realism{};  ///< numbers of its cameras that differ, as "vision.ball_sigma"
   std::optional<world::TouchAlgorithms> touch{};  ///< instead of the rule set's
   std::optional<int> exit_frames{};               ///< instead of the rule set's
+  std::string command{};                          ///< an outside autoref, for the shell; empty: ours
+  double net_speed = 1;                           ///< its pace, in real times
 };
 
 /// The first is always the acting referee's own detectors, on its own frames.
 inline constexpr const char* acting_name = "ours";
 
 /// Reads "rules=paper", "touch=accel+line,exit_frames=5", "vision.ball_sigma=0.002": parts of a shadow, its
-/// text the name.
+/// text the name; or "net:COMMAND", "net@4:COMMAND": an outside autoref, at four times the real pace.
 /// @throws std::invalid_argument naming the part and what would be right
 ShadowConfig parse_shadow(const std::string& text);
 
@@ -54,6 +57,7 @@ struct GameResult {
 struct Passage {
   std::int64_t first = 0, last = -1;  ///< ticks
   std::ostream* out = nullptr;
+  std::filesystem::path save{};  ///< and to be written as a Snippet; empty: it is not
 };
 
 /// Plays the game, judged by its rule set, with all shadows looking on.

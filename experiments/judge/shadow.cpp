@@ -55,6 +55,7 @@ void Shadow::follow(Part& part, Location location, const world::GameState& state
       last_touch_->time = state.location_time;
       last_touch_->position = state.kick_position.value_or(world::Vector2d::Zero());
     }
+    if (!joined_) last_touch_ = state.last_touch;
   } else if (part.running && !part.left) {
     part.left = state.location_time;
   }
@@ -87,6 +88,7 @@ void Shadow::see(const world::TrackedFrame& frame, const world::GameState& state
       take(event, frame, part, chipped);
     }
   }
+  joined_ = true;
 }
 
 void Shadow::take(const world::GameEvent& event, const world::TrackedFrame& frame, const Part& part,

@@ -36,7 +36,8 @@ inline constexpr world::Duration linger = std::chrono::milliseconds{400};
 /// tick its game state is the acting referee's, but for who touched the ball last, which is its own to say.
 ///
 /// Each location has a set of detectors of its own, which goes on for `linger` after the acting referee has
-/// left the location: it may be slower, or see sooner what was coming.
+/// left the location: it may be slower, or see sooner what was coming. One that joins a game in play begins
+/// with the last touch of the acting referee.
 class Shadow {
  public:
   Shadow(std::string name, const world::Geometry& geometry, world::RuleSet rules);
@@ -72,6 +73,7 @@ class Shadow {
   touch::TouchDetector touches_;
   world::TrackedFrame frame_;
   world::Time last_frame_;
+  bool joined_ = false;        // has seen a frame
   std::array<Part, 3> parts_;  // GameOn, Setup, GameOff
   std::optional<world::Touch> last_touch_;
   std::vector<Call> calls_;

@@ -51,13 +51,23 @@ ShadowConfig parse_shadow(const std::string& text) {
   ShadowConfig shadow;
   shadow.name = text;
   if (text.empty() || text == acting_name) reject(text, "is the acting referee, which is always there");
+  if (text.starts_with("net:") || text.starts_with("net@")) {
+    const auto colon = text.find(':');
+    if (colon == std::string::npos || text.find_first_not_of(' ', colon + 1) == std::string::npos) {
+      reject(text, "give the outside autoref's command line, as net:COMMAND or net@4:COMMAND");
+    }
+    shadow.command = text.substr(colon + 1);
+    if (text[3] == '@') shadow.net_speed = number_in(text, text.substr(4, colon - 4));
+    if (shadow.net_speed < 0.1 || shadow.net_speed > 100) reject(text, "the pace is 0.1 to 100 real times");
+    return shadow;
+  }
   std::istringstream stream(text);
   for (std::string part; std::getline(stream, part, ',');) {
     const auto equals = part.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == part.size()) {
       reject(text, "'" + part +
                        "' is not KEY=VALUE, as rules=paper, touch=accel+line, exit_frames=5 or "
-                       "vision.ball_sigma=0.002");
+                       "vision.ball_sigma=0.002, nor net:COMMAND");
     }
     const std::string key = part.substr(0, equals);
     const std::string value = part.substr(equals + 1);

@@ -15,6 +15,7 @@ struct Table {
   std::string note;  ///< what the columns mean
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
+  std::string command{};  ///< that made it
 };
 
 /// Fewer than this are too few to say anything: what the study asks for.
@@ -27,19 +28,11 @@ struct Wanted {
 Wanted wanted_of(std::string_view preset);
 
 /// Tables a to h. All games are of one realism.
-std::vector<Table> tables(std::span<const GameResult> games);
-
-/// A case that failed, for the list: what truth and call say, and where in which game.
-struct Failure {
-  std::string game, shadow, event, what;
-  std::int64_t first_tick = 0, last_tick = 0;  ///< two seconds before to one after
-};
-/// Of `shadow`, outside the bands, in order of event and game.
-std::vector<Failure> failures(std::span<const GameResult> games, const std::string& shadow);
+/// @param command  that made them, to be written with each
+std::vector<Table> tables(std::span<const GameResult> games, const std::string& command = {});
 
 std::string as_markdown(std::span<const Table> tables);
 std::string as_csv(const Table& table);
 std::string as_json(std::span<const Table> tables);
-std::string as_csv(std::span<const Failure> failures);
 
 }  // namespace judge

@@ -122,6 +122,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"judge nothing.toml", "nothing.toml: cannot be read", 2},
         Mistake{"judge good.toml --shadow paper", "'paper' is not KEY=VALUE", 2},
         Mistake{"judge good.toml --shadow vision.ball_sigma=7", "vision.ball_sigma", 2},
+        Mistake{"judge good.toml --shadow net:", "net:COMMAND", 2},
+        Mistake{"judge good.toml --save x", "give --show", 2},
         Mistake{"judge good.toml --show x", "give GAME:FIRST-LAST", 2},
         Mistake{"judge good.toml --games 0", "--games", 2},
         Mistake{"realism bad.toml", "bad.toml:2: realism \"real\" is not known", 2},

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiments/judge/failures.h"
 #include "experiments/judge/game_file.h"
 
 namespace judge {
@@ -66,8 +67,10 @@ TEST(Tables, CountAsThePaperDid) {
   EXPECT_EQ(row[5], "2");
   EXPECT_EQ(row[6], "10");
   EXPECT_EQ(row[10], "132/158 = 0.835 [0.770, 0.885]");
-  EXPECT_EQ(row[12], "50, 50");
-  EXPECT_EQ(row[13], "too few");
+  EXPECT_EQ(row[11], "158/158 = 1.000 [0.976, 1.000]");
+  EXPECT_EQ(row[12], "75.95");  // 12 of 158
+  EXPECT_EQ(row[14], "50, 50");
+  EXPECT_EQ(row[15], "too few");
 }
 
 TEST(Tables, CompareWitnessesOnTheSameExits) {
@@ -106,6 +109,31 @@ TEST(Tables, LeaveCloseAndAmbiguousEventsOutOfTheBars) {
   EXPECT_TRUE(failures({&result, 1}, acting_name).empty());
 }
 
+TEST(Tables, CountWhatMadeExitsHard) {
+  GameResult result = game();
+  Case chip = exit_case(true, true, 0.9);
+  chip.truth->last->chip = true;
+  Case squeezed = exit_case(true, false, 0.9);
+  squeezed.truth->last->kind = Kind::Squeeze;
+  squeezed.truth->last->crowded = true;
+  Case both = squeezed;
+  both.truth->ambiguous = true;
+  result.cases = {chip, squeezed, both, exit_case(true, true, 0.9)};
+  const auto all = tables({&result, 1});
+  const auto& rows = table(all, "a_situations").rows;
+  const auto row = [&](const std::string& begin) {
+    return *std::ranges::find_if(rows, [&](const auto& one) { return one[0].starts_with(begin); });
+  };
+  EXPECT_EQ(row("all")[1], "4");
+  EXPECT_EQ(row("chipped")[1], "1");
+  EXPECT_EQ(row("squeezed")[1], "2");
+  EXPECT_EQ(row("squeezed")[3], "1");
+  EXPECT_THAT(row("squeezed")[4], HasSubstr("0/1"));
+  EXPECT_EQ(row("crowded")[1], "2");
+  EXPECT_EQ(row("ambiguous")[3], "0");
+  EXPECT_EQ(row("over")[1], "0");
+}
+
 TEST(Failures, NamePassageTruthAndCall) {
   GameResult result = game();
   result.cases = {exit_case(true, false, 0.62)};
@@ -122,6 +150,15 @@ TEST(Formats, QuoteWhatTheyMust) {
   EXPECT_EQ(as_csv(one[0]), "a,b\n\"1, 2\",\"say \"\"so\"\"\"\n");
   EXPECT_THAT(as_markdown(one), HasSubstr("| 1, 2 | say \"so\" |"));
   EXPECT_THAT(as_json(one), HasSubstr(R"(["1, 2", "say \"so\""])"));
+}
+
+TEST(Formats, NameTheCommandThatMadeThem) {
+  const GameResult result = game();
+  for (const Table& one : tables({&result, 1}, "matchday judge it")) {
+    EXPECT_TRUE(as_csv(one).starts_with("# made by matchday judge it\n")) << one.name;
+    EXPECT_THAT(as_markdown({&one, 1}), HasSubstr("Made by `matchday judge it`"));
+    EXPECT_THAT(as_json({&one, 1}), HasSubstr("\"command\": \"matchday judge it\""));
+  }
 }
 
 TEST(GameFile, IsReadBackAsItWas) {

@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 
+#include "sim/proto/autoref.pb.h"
 #include "sim/proto/legacy2014.pb.h"
 #include "sim/proto/match.pb.h"
 #include "sim/proto/simulation_custom.pb.h"
@@ -43,6 +44,7 @@ std::vector<Pair> pairs() {
           {matchday::legacy2014::SSL_WrapperPacket::descriptor()->file(), vision},
           {matchday::referee::GameEvent::descriptor()->file(), game_controller},
           {matchday::referee::Referee::descriptor()->file(), game_controller},
+          {matchday::referee::AutoRefToController::descriptor()->file(), game_controller},
           {matchday::tracker::TrackerWrapperPacket::descriptor()->file(), tracker},
           {matchday::simulation::RobotControl::descriptor()->file(), simulation}};
 }
