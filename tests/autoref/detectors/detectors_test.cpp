@@ -168,10 +168,10 @@ TEST(Goal, IsNoneBesideThePost) {
   EXPECT_TRUE(along(detector, {4.6, 0.51}, {0, 0}, 60, false, Time{1s}).empty());
 }
 
-TEST(KickedTooFast, WantsFourFramesAboveTheLimit) {
+TEST(KickedTooFast, WantsMoreThanTwoFramesAndABall) {
   KickedTooFast detector(rules());
   along(detector, {0, 0}, {1, 0}, 3);
-  EXPECT_TRUE(along(detector, {0, 0}, {9, 0}, 2, false, Time{100ms}).empty());
+  EXPECT_TRUE(along(detector, {0, 0}, {9, 0}, 1, false, Time{100ms}).empty());
   const auto events = along(detector, {0.3, 0}, {9.5, 0}, 5, false, Time{130ms});
   ASSERT_EQ(events.size(), 1u);
   EXPECT_EQ(std::get<world::BotKickedBallTooFast>(events[0].what).by, yellow_3);

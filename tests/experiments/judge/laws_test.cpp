@@ -199,6 +199,29 @@ TEST(BallSpeed, IsTheGreatestBetweenTwoTouches) {
   }
 }
 
+TEST(BallSpeed, OfAShortFlightCountsByHowMuchFartherTheBallCame) {
+  Story story;
+  story.ball.position = {-3, 0, Story::radius};
+  story.ball.velocity = {9, 0, 0};
+  story.touch(blue(4));
+  story.tick(7);  // 0.117 s to the next robot
+  story.touch(yellow(1));
+  story.tick(2);
+  const auto fast = story.told(Event::BallTooFast);
+  ASSERT_EQ(fast.size(), 1u);
+  EXPECT_NEAR(fast[0].margin, 1.0 * 7 * world::tick_length / 0.04, exact);  // the way in bands of 40 mm
+}
+
+TEST(BallSpeed, OfTheLastFlightIsToldWhenTheGameEnds) {
+  Story story;
+  story.ball.velocity = {9, 0, 0};
+  story.touch(blue(4));
+  story.tick(5);
+  EXPECT_TRUE(story.told(Event::BallTooFast).empty());
+  story.end();
+  EXPECT_EQ(story.told(Event::BallTooFast).size(), 1u);
+}
+
 /// Yellow 2 pushes the ball in front of it at 1 m/s.
 std::vector<TrueEvent> dribble(int ticks, int lets_go_at) {
   Story story;
@@ -328,6 +351,41 @@ TEST(KickTaken, NamesWhoWasTooNear) {
   EXPECT_NEAR(attacker[0].margin, -0.01 / 0.04, exact);
 }
 
+TEST(Areas, BeginWhenTheHullIsInAndLastAsLongAsTheTouch) {
+  Story story;
+  story.state.keeper = {0, 0};
+  story.robot(yellow(3), {3.0, 0}, {0.5, 0});  // its hull meets blue's area after 0.82 s, at x = 3.41
+  story.ball.position = {3.0945, 0, Story::radius};
+  story.ball.velocity = {0.5, 0, 0};
+  for (int n = 0; n < 90; ++n) {
+    story.touch(yellow(3));
+    story.tick();
+  }
+  story.tick(20);
+  const auto told = story.told(Event::AttackerInArea);
+  ASSERT_EQ(told.size(), 1u);
+  const double begins = 0.82 + world::tick_length;           // the story's first tick came before
+  EXPECT_NEAR(world::seconds(told[0].time), begins, 0.018);  // a tick
+  EXPECT_NEAR(world::seconds(*told[0].until), 1.5 + world::tick_length, 0.018);
+  EXPECT_FALSE(told[0].ambiguous);
+}
+
+TEST(Areas, AreAmbiguousAmongTeamMates) {
+  Story story;
+  story.state.keeper = {0, 0};
+  story.robot(blue(3), {3.9, 0});
+  story.ball.position = {4.0, 0, Story::radius};
+  for (int n = 0; n < 5; ++n) {
+    story.touch(blue(0), 0.01, 2);
+    story.touch(blue(3), 0.01, 4);
+    story.tick();
+  }
+  story.tick(20);
+  const auto told = story.told(Event::DefenderInArea);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_TRUE(told[0].ambiguous);
+}
+
 TEST(Areas, AreForTheGoalieAlone) {
   // Blue's area is 1 m deep in the middle: from x = 3.5 on.
   for (const int number : {0, 3}) {
@@ -426,6 +484,24 @@ TEST(RobotsOff, StayedOutsideForAllOfTheTime) {
     story.tick(2);
     EXPECT_EQ(story.told(Event::RobotLeftField).size(), ticks == 130 ? 1u : 0u);
   }
+}
+
+TEST(RobotsOff, AreToldOnceUntilTheyAreBack) {
+  Story story;
+  story.robot(blue(2), {0, 3.35});
+  for (int passage = 0; passage < 3; ++passage) {
+    story.tick(130);
+    story.enter(Location::GameOff);
+    story.tick(5);
+    story.enter(Location::GameOn);
+    if (passage == 1) {
+      story.robot(blue(2)).position.y() = 3.0;
+      story.tick();
+      story.robot(blue(2)).position.y() = 3.35;
+    }
+  }
+  story.tick();
+  EXPECT_EQ(story.told(Event::RobotLeftField).size(), 2u);
 }
 
 TEST(RobotsOff, CountsThoseThatMayPlay) {

@@ -83,6 +83,9 @@ class Story {
     }
   }
 
+  /// The game is over.
+  void end() { laws_.finish(); }
+
   double now() const { return world::seconds(world::tick_time(tick_)); }
   const Laws& laws() const { return laws_; }
 
