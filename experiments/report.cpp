@@ -10,13 +10,14 @@
 #include "experiments/report/formats.h"
 #include "experiments/report/html.h"
 #include "experiments/runner/audit.h"
+#include "experiments/start.h"
 
 namespace commands {
 
 namespace {
 
 void write_figures(const report::Summary& summary, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+  make_folder(folder, "--figures");
   const std::vector<report::Figure> figures = report::figures(summary);
   if (figures.empty())
     throw std::invalid_argument("there is no figure yet: no condition has a complete pair");

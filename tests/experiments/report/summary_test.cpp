@@ -141,6 +141,13 @@ TEST(Row, SaysPlainlyWhatIsShown) {
   row.p = 0.003;
   row.a.wins = 15;
   row.b.wins = 2;
+  row.permutation_p = 0.125;
+  EXPECT_EQ(row.verdict(),
+            "no difference shown over pairs (sign flips p = 0.125); games counted as if independent would "
+            "show one (p = 0.003)");
+  EXPECT_FALSE(row.shows_difference());
+  row.permutation_p = 0.004;
+  EXPECT_TRUE(row.shows_difference());
   EXPECT_EQ(row.verdict(), "A wins more games than it loses (p = 0.003)");
   row.p_holm = 0.06;
   EXPECT_EQ(row.verdict(), "no difference shown (p = 0.003; Holm 0.060)");

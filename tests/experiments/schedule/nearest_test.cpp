@@ -14,6 +14,12 @@ TEST(DidYouMean, FindsAWordWithALetterChangedMissingAddedOrSwapped) {
   EXPECT_EQ(did_you_mean("esed", names), "; did you mean seed?");
 }
 
+TEST(DidYouMean, KnowsTheFirstOfSeveralWords) {
+  EXPECT_EQ(did_you_mean("speed", names), "; did you mean speed_factor?");
+  EXPECT_EQ(did_you_mean("sped", names), "; did you mean speed_factor?");
+  EXPECT_EQ(did_you_mean("spee_x", names), "");
+}
+
 TEST(DidYouMean, SaysNothingAboutNoise) {
   EXPECT_EQ(did_you_mean("colour", names), "");
   EXPECT_EQ(did_you_mean("", names), "");
