@@ -14,7 +14,7 @@
 #include "experiments/experiment.h"
 #include "experiments/one_game.h"
 #include "experiments/plan_text.h"
-#include "experiments/record/match_config.h"
+#include "experiments/record/json_text.h"
 #include "experiments/schedule/schedule.h"
 #include "experiments/start.h"
 #include "experiments/stats/correlation.h"

@@ -183,13 +183,11 @@ std::string Row::verdict() const {
                                (p_holm ? "; Holm " + p_text(*p_holm) : "") + ")";
   if (!answer.empty()) return answer;
   if (p_holm.value_or(p) >= usual_level) return "no difference shown " + how_sure;
-  if (!shows_difference()) {
-    const double over_pairs = permutation_p_holm.value_or(permutation_p);
-    return "no difference shown over pairs (sign flips p = " + p_text(over_pairs) +
-           "); games counted as if independent would show one " + how_sure;
-  }
-  return (a.wins > b.wins ? "A wins more games than it loses " : "A loses more games than it wins ") +
-         how_sure;
+  const std::string verdict =
+      (a.wins > b.wins ? "A wins more games than it loses " : "A loses more games than it wins ") + how_sure;
+  if (shows_difference()) return verdict;
+  return verdict + " if the games of a pair are independent; over pairs not shown (sign flips p " +
+         p_text(permutation_p_holm.value_or(permutation_p)) + ")";
 }
 
 Summary summarise(Header header, std::span<const Attempt> attempts) {

@@ -143,7 +143,8 @@ TEST(Row, SaysPlainlyWhatIsShown) {
   row.b.wins = 2;
   row.permutation_p = 0.125;
   EXPECT_EQ(row.verdict(),
-            "no difference shown over pairs (sign flips p = 0.125); games counted as if independent would "
+            "A wins more games than it loses (p = 0.003) if the games of a pair are independent; over pairs "
+            "not shown (sign flips p 0.125)"); games counted as if independent would "
             "show one (p = 0.003)");
   EXPECT_FALSE(row.shows_difference());
   row.permutation_p = 0.004;
