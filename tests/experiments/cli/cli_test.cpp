@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"play --blu x", "unknown flag '--blu'; see matchday play --help", 2},
         Mistake{"play --blue true --yellow true --half-length -3", "-3 not in range 1", 2},
-        Mistake{"play --blue true --yellow true --half-length 1200", "range 1 - 1100", 2},
+        Mistake{"play --blue true --yellow true --half-length 1200", "not in range 1.000000 to 1100", 2},
         Mistake{"play --blue true --yellow true --seed -3", "-3: must be a whole number from 0", 2},
         Mistake{"play --blue true --yellow true --seed 99999999999999999999999", "must be a whole number", 2},
         Mistake{"compare a b --run x --seed 9223372036854775808", "from 0 to 9223372036854775807", 2},

@@ -15,9 +15,10 @@ TEST(DidYouMean, FindsAWordWithALetterChangedMissingAddedOrSwapped) {
 }
 
 TEST(DidYouMean, KnowsTheFirstOfSeveralWords) {
-  EXPECT_EQ(did_you_mean("speed", names), "; did you mean speed_factor?");
-  EXPECT_EQ(did_you_mean("sped", names), "; did you mean speed_factor?");
-  EXPECT_EQ(did_you_mean("spee_x", names), "");
+  const std::vector<std::string> of_a_team = {"name", "robots", "speed_factor"};
+  EXPECT_EQ(did_you_mean("speed", of_a_team), "; did you mean speed_factor?");
+  EXPECT_EQ(did_you_mean("sped", of_a_team), "; did you mean speed_factor?");
+  EXPECT_EQ(did_you_mean("robust", names), "");
 }
 
 TEST(DidYouMean, SaysNothingAboutNoise) {
