@@ -107,7 +107,9 @@ void write_design(const fs::path& file, const std::string& text) {
 void forget_run(const fs::path& folder) {
   const runner::ResultFolder held(folder);
   for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(held.ledger().string() + suffix);
-  fs::remove(held.manifest());
+  for (const fs::path& left :
+       {held.manifest(), held.status(), held.scratch_note(), held.preflight(), folder / "report.html"})
+    fs::remove_all(left);
 }
 
 /// Whether the folder may take the comparison: it is new, or without games, or of the same comparison.
