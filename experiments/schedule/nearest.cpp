@@ -43,10 +43,13 @@ std::optional<std::size_t> distance_to_first_word(std::string_view word, std::st
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
   const std::string* best = nullptr;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  std::size_t least = word.size() + 1;
   for (const std::string& name : names) {
     const std::size_t distance = edit_distance(word, name);
-    if (distance < least) {
+    // Words with the same first letter may differ a little more: pears and pairs.
+    const bool begins_alike = !word.empty() && !name.empty() && word.front() == name.front();
+    const std::size_t most = std::max<std::size_t>(1, (word.size() + (begins_alike ? 1 : 0)) / 3);
+    if (distance <= most && distance < least) {
       least = distance;
       best = &name;
     }

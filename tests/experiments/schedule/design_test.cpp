@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"name = \"n\"\ngamse = 2\n" + teams,
                 "night.toml:2: unknown key gamse = 2; did you mean games?"},
         Mistake{head + "[teams.a]\ncomand = \"x\"\n",
-                "night.toml:4: unknown key teams.a.comand = \"x\"; did you mean command?"},
+                "night.toml:4: unknown key teams.a.comand = 'x'; did you mean command?"},
         Mistake{head + "[team.a]\ncommand = \"x\"\n", "unknown key team = {...}; did you mean teams?"},
         Mistake{head + "[teams.a]\nname = \"x\"\n", "night.toml:3: teams.a.command is missing"},
         Mistake{head + "[teams.a]\ncommand = []\n", "night.toml:4: teams.a.command = []: must begin with"},

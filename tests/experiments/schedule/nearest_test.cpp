@@ -11,6 +11,7 @@ TEST(DidYouMean, FindsAWordWithALetterChangedMissingAddedOrSwapped) {
   for (const char* word : {"speed_facter", "speed_factr", "speed_facttor", "sped_fatcor", "speed-factor"}) {
     EXPECT_EQ(did_you_mean(word, names), "; did you mean speed_factor?") << word;
   }
+  EXPECT_EQ(did_you_mean("pears", names), "; did you mean pairs?");
   EXPECT_EQ(did_you_mean("esed", names), "; did you mean seed?");
 }
 
