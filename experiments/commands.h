@@ -69,6 +69,7 @@ struct RunOptions {
   int workers = 0;                        ///< 0: one per processor
   bool preflight = true;                  ///< a short game before the first one
   std::string worker;                     ///< another worker command, for tests; empty: ourselves
+  std::optional<int> grown_from{};        ///< pairs of the same experiment in the folder, if they were fewer
   std::string version;                    ///< of matchday
   std::vector<std::string> command_line;  ///< as we were called
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <iostream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -13,7 +14,9 @@
 #include "experiments/host/play.h"
 #include "experiments/record/json_text.h"
 #include "experiments/record/ledger.h"
+#include "experiments/runner/result_folder.h"
 #include "experiments/schedule/design.h"
+#include "experiments/start.h"
 
 namespace commands {
 namespace {
@@ -48,8 +51,9 @@ std::string design_text(const CompareOptions& options, const std::string& name, 
       "{}\n"
       "seed = {}\ngames = {}\nrealism = {}\n\n[rules]\nset = {}\n",
       options.next, options.base, record::quoted(name),
-      record::quoted(options.next + " (A) against " + options.base + " (B)"), options.seed, options.games,
-      record::quoted(options.realism), record::quoted(options.rules));
+      record::quoted(fmt::format("{} (A, commit {}) against {} (B, commit {})", options.next,
+                                 next_commit.substr(0, digits), options.base, base_commit.substr(0, digits))),
+      options.seed, options.games, record::quoted(options.realism), record::quoted(options.rules));
   if (options.half_length) text += fmt::format("half_length = {}\n", record::number(*options.half_length));
   if (options.sequential) {
     text +=
@@ -60,23 +64,92 @@ std::string design_text(const CompareOptions& options, const std::string& name, 
   return text + team_text(options, "b", options.base, base_commit, repository);
 }
 
-/// Writes it where none is. One that is there must be the same, or the folder belongs to another comparison;
-/// unless no game was ever begun, as when the build command was wrong.
-void write_design(const fs::path& file, const std::string& text) {
-  if (std::ifstream there(file); there) {
-    std::ostringstream old;
-    old << there.rdbuf();
-    if (old.str() == text) return;
-    if (fs::exists(file.parent_path() / "ledger.sqlite")) {
-      throw record::StorageError(file.string() + ": is of another comparison; give another --out");
-    }
+constexpr const char* games_key = "games = ";
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with('#')) lines.push_back(line);
   }
+  return lines;
+}
+
+/// The games a design of ours asks for.
+int games_of(const std::vector<std::string>& design) {
+  for (const std::string& line : design) {
+    if (line.starts_with(games_key)) return std::stoi(line.substr(std::string(games_key).size()));
+  }
+  return 0;
+}
+
+/// The first line in which two designs of ours differ, but for the number of games; empty: none.
+std::string difference(const std::vector<std::string>& there, const std::vector<std::string>& here) {
+  for (std::size_t i = 0; i < std::max(there.size(), here.size()); ++i) {
+    const std::string one = i < there.size() ? there[i] : "nothing";
+    const std::string other = i < here.size() ? here[i] : "nothing";
+    if (one == other || one.starts_with("description") ||
+        (one.starts_with(games_key) && other.starts_with(games_key)))
+      continue;
+    return "`" + one + "` there, `" + other + "` here";
+  }
+  return "";
+}
+
+void write_design(const fs::path& file, const std::string& text) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   std::ofstream stream(file, std::ios::trunc);
   stream << text;
   stream.close();
   if (error || !stream) throw record::StorageError(file.string() + ": cannot be written");
+}
+
+/// Throws away what a run left that came to no game. Holds the folder meanwhile: perhaps a run is at its
+/// first.
+void forget_run(const fs::path& folder) {
+  const runner::ResultFolder held(folder);
+  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(held.ledger().string() + suffix);
+  for (const fs::path& left :
+       {held.manifest(), held.status(), held.scratch_note(), held.preflight(), folder / "report.html"})
+    fs::remove_all(left);
+}
+
+/// Whether the folder may take the comparison: it is new, or without games, or of the same comparison.
+///
+/// @return  the pairs it was planned with, when it is the same with fewer
+/// @throws record::StorageError saying what differs
+std::optional<int> settled(const fs::path& folder, const std::string& text, bool sequential) {
+  const fs::path file = folder / "ledger.sqlite";
+  if (!fs::exists(file)) return std::nullopt;
+  record::Experiment stored;
+  bool played = false;
+  {
+    const record::Ledger ledger = record::Ledger::read(file);
+    stored = ledger.experiment();
+    played = !ledger.attempts(record::Detail::WithoutTimeline).empty();
+  }
+  if (!played) {
+    forget_run(folder);
+    return std::nullopt;
+  }
+  if (stored.design == text) return std::nullopt;
+  const std::vector<std::string> there = lines_of(stored.design);
+  const std::vector<std::string> here = lines_of(text);
+  const auto refuse = [&](const std::string& problem) {
+    throw record::FolderTaken(folder.string() + ": " + problem + "; give another --out");
+  };
+  if (const std::string line = difference(there, here); !line.empty())
+    refuse("holds games of another comparison: " + line);
+  const int before = games_of(there);
+  const int now = games_of(here);
+  if (now < before)
+    refuse(fmt::format("was begun with --games {}, which cannot be fewer afterwards", before));
+  if (now == before) return std::nullopt;  // another description
+  if (sequential)
+    refuse(
+        fmt::format("its sequential test was begun with --games {}, on which its error rates rest", before));
+  return before / 2;
 }
 
 }  // namespace
@@ -106,8 +179,20 @@ int compare(const CompareOptions& options) {
   const std::string repository = fs::weakly_canonical(options.repository).string();
   const std::string text = design_text(options, name, repository, base, next);
   // Before anything is written: a mistake must not leave a folder of a comparison that cannot be.
-  schedule::parse_design(text, "the design of compare", host::check_realism);
+  schedule::parse_design(text, "matchday compare (its design)", host::check_realism);
+  check_result_folder(run_options.out, run_options.design);
+  run_options.grown_from = settled(run_options.out, text, options.sequential);
   write_design(run_options.design, text);
+  if (run_options.grown_from) {
+    std::cerr << "going on to " << options.games << " games from " << 2 * *run_options.grown_from
+              << ": who adds games because of a result gets p values that are too small; a test with "
+                 "--sequential may be looked at any time"
+              << std::endl;
+  }
+  if (base == next) {
+    std::cerr << "both are commit " << base.substr(0, digits)
+              << ": a program against itself, so any difference that shows is chance" << std::endl;
+  }
   return run(run_options);
 }
 

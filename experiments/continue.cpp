@@ -19,7 +19,7 @@ void replace_team(const std::string& command, const std::string& flag, record::T
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(flag + ": " + error.what());
   }
-  team.name = std::filesystem::path(team.command.front()).filename().string();
+  team.name = schedule::usual_name(team.command);
 }
 
 }  // namespace

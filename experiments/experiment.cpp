@@ -43,6 +43,12 @@ report::Summary summary(const Experiment& experiment) {
     }
     header.conditions.push_back(std::move(one));
   }
+  if (design.stopping.rule == schedule::StopRule::Sequential) {
+    for (const stopping::Standing& one : stopping::standings(design, experiment.attempts)) {
+      if (one.question.panel) continue;  // its own sentence says it
+      header.conditions[one.question.terms.front().condition].answer = stopping::verdict(one);
+    }
+  }
   if (design.stopping.rule != schedule::StopRule::Fixed) header.stopping = stopping::rule(design);
   header.answers = stopping::sentences(design, experiment.attempts);
   if (!experiment.audits.empty()) header.remarks.push_back(runner::audit_summary(experiment.audits));

@@ -1,6 +1,9 @@
 // matchday: plays games and experiments. This file reads the command line; each command has its own file.
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
 #include <iostream>
+#include <limits>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -8,6 +11,7 @@
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/record/ledger.h"
+#include "experiments/schedule/design.h"
 
 namespace {
 
@@ -17,12 +21,33 @@ constexpr const char* footer = R"(
 Exit codes: 0 done, of a sequential test: A is better; 1 replay: the game went differently; 2 bad input; 3 run: the
 teams cannot play, says the short game before the first one; 4 too many void games, or play: the game ended by a
 fault; 5 trouble with a result folder; 10 sequential test: A is not better; 11 undecided when all games were
-played; 70 a mistake in matchday itself; 130 and 143 interrupted by Ctrl-C and TERM (run: the same command
+played; 70 a mistake in matchday itself; 129, 130 and 143 interrupted by HUP, Ctrl-C and TERM (run: the same command
 continues).)";
+constexpr const char* short_footer = "\nExit codes: matchday --help tells them.";
 
 const CLI::Range robot_number(0, 15);
-const CLI::Range half_length(1.0,
-                             3600.0);  // [s]; a game over 40 simulated minutes is ended as a fault anyway
+const CLI::Range half_length(1.0, schedule::longest_half);  // [s]
+
+/// CLI11 reads -3 as 2^64 - 3 and cuts what is too large.
+CLI::Validator seed_up_to(std::uint64_t most) {
+  return CLI::Validator(
+      [most](const std::string& word) -> std::string {
+        std::uint64_t value = 0;
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (error == std::errc{} && end == word.data() + word.size() && value <= most) return "";
+        return word + ": must be a whole number from 0 to " + std::to_string(most);
+      },
+      "");
+}
+const CLI::Validator any_seed = seed_up_to(std::numeric_limits<std::uint64_t>::max());
+const CLI::Validator design_seed = seed_up_to(std::numeric_limits<std::int64_t>::max());  // TOML's integers
+
+/// A flag that takes away what is usual.
+void add_no_preflight(CLI::App& app, bool& preflight) {
+  app.add_flag_callback(
+      "--no-preflight", [&preflight] { preflight = false; },
+      "skip the short game that shows that both teams move");
+}
 const CLI::Range speed_factor(0.01, 1.0);
 
 void add_team(CLI::App& app, const std::string& colour, commands::TeamOptions& team) {
@@ -32,7 +57,8 @@ void add_team(CLI::App& app, const std::string& colour, commands::TeamOptions& t
   app.add_option("--" + colour + "-name", team.name, "its name, if not the program's");
   app.add_option("--" + colour + "-robots", team.robots, "numbers of its robots, as 0,1,2")
       ->delimiter(',')
-      ->check(robot_number);
+      ->type_name("NUMBERS")
+      ->check(CLI::Validator(robot_number).description("0 to 15"));
   app.add_option("--" + colour + "-speed", team.speed_factor, "factor of its speed and acceleration")
       ->check(speed_factor);
 }
@@ -60,7 +86,7 @@ void add_play(CLI::App& main, commands::PlayOptions& options) {
   CLI::App& app = *main.add_subcommand("play", "play one game and tell every call");
   add_team(app, "blue", options.blue);
   add_team(app, "yellow", options.yellow);
-  app.add_option("--seed", options.seed, "the only source of chance")->capture_default_str();
+  app.add_option("--seed", options.seed, "the only source of chance")->check(any_seed)->capture_default_str();
   app.add_option("--rules", options.rules,
                  "rule set: ssl-2015 or paper; with -field-2014 or -division-a, that field")
       ->capture_default_str();
@@ -77,7 +103,8 @@ void add_continue(CLI::App& main, commands::ContinueOptions& options) {
   CLI::App& app = *main.add_subcommand(
       "continue", "play a recorded game again, to its end without teams, or on from a moment with live ones");
   app.add_option("recording", options.recording, "what `matchday play --record` wrote")->required();
-  app.add_option("--from", options.from, "seconds of the match at which live teams take over")
+  app.add_option("--from", options.from,
+                 "seconds of the match at which live teams take over; no game is longer than 2400")
       ->check(CLI::Range(0.0, 2400.0));
   app.add_option("--blue", options.blue, "another command for the blue team");
   app.add_option("--yellow", options.yellow, "another command for the yellow team");
@@ -91,7 +118,7 @@ void add_run(CLI::App& main, commands::RunOptions& options) {
   app.add_option("--out", options.out, "result folder; default: results/<name of the design>");
   app.add_option("--workers", options.workers, "games at a time; default: one per processor")
       ->check(CLI::Range(1, 1024));
-  app.add_flag("!--no-preflight", options.preflight, "skip the short game that shows that both teams move");
+  add_no_preflight(app, options.preflight);
   app.add_option("--worker", options.worker)->group("");  // for tests
 }
 
@@ -119,16 +146,18 @@ void add_compare(CLI::App& main, commands::CompareOptions& options) {
   app.add_option("--h1", options.h1,
                  "of that test: by how many standard deviations of a game A should be better")
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "the only source of chance")->capture_default_str();
+  app.add_option("--seed", options.seed, "the only source of chance")
+      ->check(design_seed)
+      ->capture_default_str();
   app.add_option("--rules", options.rules, "rule set")->capture_default_str();
   app.add_option("--realism", options.realism, "preset: none, friendly, measured, harsh")
       ->capture_default_str();
-  app.add_option("--half-length", options.half_length, "seconds of a half, if not the rule set's");
+  app.add_option("--half-length", options.half_length, "seconds of a half, if not the rule set's")
+      ->check(half_length);
   app.add_option("--out", options.run_options.out, "result folder, if not results/compare-BASE-NEXT-COMMITS");
   app.add_option("--workers", options.run_options.workers, "games at a time, if not one per processor")
       ->check(CLI::Range(1, 1024));
-  app.add_flag("!--no-preflight", options.run_options.preflight,
-               "skip the short game that shows that both teams move");
+  add_no_preflight(app, options.run_options.preflight);
   app.add_option("--worker", options.run_options.worker)->group("");
 }
 
@@ -158,7 +187,9 @@ void add_replay(CLI::App& main, commands::ReplayOptions& options) {
 void add_bench(CLI::App& main, bench::BenchOptions& options, commands::RealismOptions& realism) {
   CLI::App& app =
       *main.add_subcommand("bench", "play the standard game and print what each part of a tick costs");
-  app.add_option("--seed", options.game.seed)->capture_default_str();
+  app.add_option("--seed", options.game.seed, "the only source of chance")
+      ->check(any_seed)
+      ->capture_default_str();
   add_realism(app, "--realism", realism);
   app.add_option("--half-length", options.game.half_length, "seconds of a half, if not the rule set's")
       ->check(half_length);
@@ -249,7 +280,6 @@ int complain(const std::string& sentence, ExitCode code) {
 int matchday(int argc, char** argv) {
   CLI::App app("Plays refereed robot soccer in simulation and says which team is better.", "matchday");
   app.set_version_flag("--version", "matchday " MATCHDAY_VERSION);
-  app.footer(footer);
   app.require_subcommand(1);
   commands::PlayOptions play;
   commands::ContinueOptions continuation;
@@ -276,6 +306,9 @@ int matchday(int argc, char** argv) {
   add_worker(app, worker);
   add_judge(app, judge);
   add_judge_game(app, judge_game);
+  app.footer(footer);  // after them: they would inherit it
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    command->footer(short_footer);
 
   if (argc > 1 && argv[1][0] != '-') check_command(app, argv[1]);
   check_flags(app, argc, argv);
@@ -284,7 +317,9 @@ int matchday(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return app.exit(success);  // --help, --version
   } catch (const CLI::ParseError& error) {
-    return complain(std::string(error.what()) + "; see matchday --help", ExitCode::bad_input);
+    const std::vector<CLI::App*> used = app.get_subcommands();
+    const std::string where = used.empty() ? "" : used.front()->get_name() + " ";
+    return complain(std::string(error.what()) + "; see matchday " + where + "--help", ExitCode::bad_input);
   }
 
   if (app.got_subcommand("play")) return commands::play(play);

@@ -21,7 +21,15 @@ OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls, bo
   };
   options.explain = explain;
   if (calls != nullptr) {
-    options.on_call = [calls](const record::CallEntry& call, const world::PerTeam<int>& score) {
+    std::optional<std::int64_t> takeover;
+    if (config.continuation) takeover = config.continuation->tick;
+    options.on_call = [calls, takeover](const record::CallEntry& call,
+                                        const world::PerTeam<int>& score) mutable {
+      if (takeover && world::seconds(call.time.time_since_epoch()) >=
+                          static_cast<double>(*takeover) * world::tick_length) {
+        *calls << "    ---- from here on the live teams play ----\n";
+        takeover.reset();
+      }
       *calls << call_line(call, score) << std::endl;
       if (!call.evidence.empty()) *calls << call.evidence << std::endl;
     };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "experiments/builds/builds.h"
 #include "experiments/commands.h"
@@ -12,6 +14,7 @@
 #include "experiments/experiment.h"
 #include "experiments/one_game.h"
 #include "experiments/plan_text.h"
+#include "experiments/record/json_text.h"
 #include "experiments/schedule/schedule.h"
 #include "experiments/start.h"
 #include "experiments/stats/correlation.h"
@@ -85,6 +88,35 @@ std::optional<Spread> spread_of(const Experiment& experiment) {
   return spread;
 }
 
+/// What plays: commands, commits and hindrances, whatever the names.
+std::set<std::string> teams_of(const schedule::Design& design) {
+  std::set<std::string> teams;
+  for (const schedule::Condition& one : design.conditions) {
+    for (const auto& [team, source] : {std::pair{&one.a, &one.a_source}, std::pair{&one.b, &one.b_source}}) {
+      record::TeamConfig nameless = *team;
+      nameless.name.clear();
+      nameless.directory.clear();
+      teams.insert(record::to_json(nameless) + ((*source) ? (*source)->revision : ""));
+    }
+  }
+  return teams;
+}
+
+/// How the earlier games differ from the design's; empty when they do not.
+std::string other_games(const schedule::Design& earlier, const schedule::Design& design,
+                        const std::filesystem::path& folder) {
+  std::string text;
+  const auto note = [&](const std::string& what) {
+    text += "note: the games in " + folder.string() + " " + what + "\n";
+  };
+  if (teams_of(earlier) != teams_of(design)) note("are of other teams; pace and spread may be others too");
+  if (half_of(earlier) != half_of(design)) {
+    note(fmt::format("have halves of {:g} s, the design's have {:g} s: times are scaled, goals are not",
+                     half_of(earlier), half_of(design)));
+  }
+  return text;
+}
+
 /// A short game of the first condition, here and now.
 Speed calibrate(schedule::Design& design, const std::filesystem::path& folder) {
   builds::prepare(design, folder / "builds", std::cerr);
@@ -93,8 +125,9 @@ Speed calibrate(schedule::Design& design, const std::filesystem::path& folder) {
   config.winner = false;
   const OneGame game = play_one_game(config, nullptr);
   if (game.record.at_fault != record::Party::Nobody) {
-    throw std::invalid_argument("the calibration game ended by a fault: " + game.record.reason +
-                                "; give --from RESULTS to plan without one");
+    throw std::invalid_argument(
+        "the short game that measures the pace ended by a fault: " + game.record.reason +
+        "; mend that first, since no game of the design can be played");
   }
   const double simulated = static_cast<double>(game.record.ticks) * world::tick_length;
   const double pace = simulated / game.record.wall_seconds;
@@ -113,13 +146,16 @@ int plan(const PlanOptions& options) {
     folder = usual_folder(design);
   std::optional<Speed> speed;
   std::optional<Spread> spread;
+  std::string remark;
   if (!folder.empty()) {
     const Experiment earlier = read_experiment(folder);
     speed = speed_of(earlier, design, folder);
     spread = spread_of(earlier);
+    remark = other_games(earlier.design, design, folder);
   }
   if (!speed) speed = calibrate(design, usual_folder(design));
-  std::cout << plan_text(design, speed, spread, options.workers > 0 ? options.workers : processors());
+  std::cout << plan_text(design, speed, spread, options.workers > 0 ? options.workers : processors())
+            << remark;
   return done;
 }
 

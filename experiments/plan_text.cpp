@@ -25,21 +25,25 @@ std::string duration(double seconds) {
 }
 
 std::string size(const schedule::Design& design) {
-  return fmt::format("{}: {} {} x {} pairs x 2 games = {} games, rule set {}, realism {}\n", design.name,
+  return fmt::format("{}: {} {} x {} {} x 2 games = {} games, rule set {}, realism {}\n", design.name,
                      design.conditions.size(), design.conditions.size() == 1 ? "condition" : "conditions",
-                     design.pairs, schedule::game_count(design), design.rules, record::text(design.realism));
+                     design.pairs, design.pairs == 1 ? "pair" : "pairs", schedule::game_count(design),
+                     design.rules, record::text(design.realism));
 }
 
 std::string time(const schedule::Design& design, const Speed& speed, int workers) {
   const double all = speed.game_seconds * static_cast<double>(schedule::game_count(design)) / workers;
   return fmt::format(
-      "time: {} for all games, {:.1f} s each, {} at a time; a night of 10 h holds {:.0f} games\n  ({})\n",
+      "time: {} for all games, {:.1f} s each, {} at a time; a night of 10 h holds {:.0f} games\n  ({})\n"
+      "  (besides, before the first: builds, and twice a game of about 1.5 min simulated for each two "
+      "teams)\n",
       duration(all), speed.game_seconds, workers, night / speed.game_seconds * workers, speed.source);
 }
 
 /// What a question can show: for one condition as an example when all are alike.
 std::string power(const schedule::Design& design, const std::optional<Spread>& spread) {
   const std::vector<stopping::Question> questions = stopping::questions(design);
+  if (design.pairs == 1) return "what 1 pair shows: nothing, since it does not tell how far pairs differ\n";
   std::string text = fmt::format(
       "what {} pairs show of a difference that is there in 4 of 5 experiments (two-sided, 5 %, {}):\n",
       design.pairs, questions.size() > 1 ? "each question by itself" : "A against B");
@@ -79,6 +83,13 @@ std::string power(const schedule::Design& design, const std::optional<Spread>& s
               : std::string(
                     "  (goals taken as Poisson numbers, games of a pair as independent; --from RESULTS takes "
                     "both from earlier games)\n");
+  constexpr int fewest = 6;  // 2 / 2^5 = 0.0625
+  if (design.pairs < fewest) {
+    text += fmt::format(
+        "  (the sign flips over {} pairs cannot come below p = {:g}, whatever happens; {} pairs can reach 5 "
+        "%)\n",
+        design.pairs, std::pow(2.0, 1 - design.pairs), fewest);
+  }
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include "experiments/record/json_text.h"
 #include "experiments/runner/program_files.h"
 #include "experiments/schedule/command_line.h"
+#include "experiments/start.h"
 #include "experiments/tell.h"
 
 namespace commands {
@@ -22,8 +23,7 @@ record::TeamConfig team(const TeamOptions& options, const std::string& flag) {
     throw std::invalid_argument(flag + ": " + error.what());
   }
   runner::team_files(team, flag);
-  team.name =
-      options.name.empty() ? std::filesystem::path(team.command.front()).filename().string() : options.name;
+  team.name = options.name.empty() ? schedule::usual_name(team.command) : options.name;
   team.robots = options.robots;
   team.speed_factor = options.speed_factor;
   return team;
@@ -70,7 +70,7 @@ int tell_one_game(const record::MatchConfig& config, bool json, bool explain) {
   host::check(config);
   check_output("--log", config.log, ".log");
   check_output("--record", config.recording, ".replies");
-  if (!config.directory.empty()) std::filesystem::create_directories(config.directory);
+  if (!config.directory.empty()) make_folder(config.directory, "--team-logs");
 
   if (!json) tell_circumstances(config, std::cout);
   const OneGame game = play_one_game(config, json ? nullptr : &std::cout, explain);

@@ -10,17 +10,14 @@
 #include "experiments/report/formats.h"
 #include "experiments/report/html.h"
 #include "experiments/runner/audit.h"
+#include "experiments/start.h"
 
 namespace commands {
 
 namespace {
 
 void write_figures(const report::Summary& summary, const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw std::invalid_argument("--figures " + folder.string() + ": cannot be made: " + error.message());
-  }
+  make_folder(folder, "--figures");
   const std::vector<report::Figure> figures = report::figures(summary);
   if (figures.empty())
     throw std::invalid_argument("there is no figure yet: no condition has a complete pair");

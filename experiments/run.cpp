@@ -56,6 +56,7 @@ int run(const RunOptions& options) {
 
   runner::RunOptions settings;
   settings.out = options.out.empty() ? usual_folder(design) : options.out;
+  check_result_folder(settings.out, options.design);
   settings.workers = options.workers;
   settings.limits = design.limits;
   settings.preflight = options.preflight;
@@ -64,6 +65,7 @@ int run(const RunOptions& options) {
                              "--output",      std::to_string(design.limits.output)};
   if (!options.worker.empty()) settings.worker_command = schedule::split_command(options.worker);
   settings.version = options.version;
+  settings.grown_from = options.grown_from;
   settings.protocol = "match protocol " + std::to_string(wire::match_protocol_version);
   settings.command_line = options.command_line;
   settings.refresh_command = {own_program(), "report", settings.out.string(), "--html"};
@@ -80,9 +82,10 @@ int run(const RunOptions& options) {
   runner::RunResult result;
   try {
     result = runner::run(design, settings, std::cerr);
-  } catch (const record::StorageError&) {
-    std::cerr << "when it is mended, " << again << std::endl;
+  } catch (const record::FolderTaken&) {
     throw;
+  } catch (const record::StorageError& error) {
+    throw record::StorageError(std::string(error.what()) + "; when it is mended, " + again);
   }
   if (result.ending == runner::Ending::Interrupted) {
     std::cerr << "interrupted, nothing is lost; " << again << std::endl;

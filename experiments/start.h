@@ -1,7 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <iosfwd>
+#include <string>
 
 #include "experiments/schedule/design.h"
 
@@ -15,5 +15,17 @@ schedule::Design checked_design(const std::filesystem::path& file);
 
 /// Where its results go if the user does not say: results/<name>.
 std::filesystem::path usual_folder(const schedule::Design& design);
+
+/// Makes the folder a flag names, if there is none.
+///
+/// @throws std::invalid_argument naming flag, folder and reason
+void make_folder(const std::filesystem::path& folder, const std::string& flag);
+
+/// Before anything is written: a folder with other things in it than results, as somebody's sources, is not
+/// the place for them.
+///
+/// @param design  a design file may lie where its results go
+/// @throws record::StorageError naming folder and thing
+void check_result_folder(const std::filesystem::path& folder, const std::filesystem::path& design);
 
 }  // namespace commands

@@ -13,6 +13,12 @@ using record::Termination;
 // A process that closed its socket because it ends needs this long at most to be seen as ended (ours).
 constexpr auto farewell = 500ms;
 
+/// The team's own words: nearly always the reason.
+std::string said(const process::Child& child) {
+  const std::string line = child.output().last_line();
+  return line.empty() ? "" : "; it said last: " + line;
+}
+
 }  // namespace
 
 TeamProcess::TeamProcess(world::Team team, const record::TeamConfig& config,
@@ -80,7 +86,7 @@ void TeamProcess::note_gone() {
   usage_.user_seconds = exit.user_seconds;
   usage_.system_seconds = exit.system_seconds;
   const char* when = channel_ ? " before the game was over" : " before it connected";
-  blame(exit.clean() ? Termination::Closed : Termination::Crashed, exit.describe() + when);
+  blame(exit.clean() ? Termination::Closed : Termination::Crashed, exit.describe() + when + said(*child_));
 }
 
 void TeamProcess::send(std::string_view frame, const Idle& while_waiting) {

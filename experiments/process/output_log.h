@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace process {
@@ -25,10 +26,14 @@ class OutputLog {
   std::size_t written() const { return written_; }
   std::size_t discarded() const { return discarded_; }
 
+  /// The last line that is not blank, shortened; empty when nothing was printed. Known without a file, too.
+  std::string last_line() const;
+
  private:
   void put(std::string_view text);
 
   int file_ = -1;
+  std::string tail_;  ///< the last bytes
   std::size_t limit_;
   std::size_t written_ = 0;
   std::size_t discarded_ = 0;

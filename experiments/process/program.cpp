@@ -33,7 +33,12 @@ fs::path find_program(const std::string& name, const fs::path& directory) {
     const fs::path path = fs::absolute(directory / name, error);
     const std::string where = directory.empty() ? "" : " in " + directory.string();
     if (!fs::exists(path, error)) throw StartError("program '" + name + "' does not exist" + where);
-    if (!is_program(path)) throw StartError("program '" + name + "' is not an executable file" + where);
+    if (!is_program(path))
+      throw StartError(
+          "program '" + name + "' is not an executable file" + where +
+          (fs::is_regular_file(path, error)
+               ? "; make it one with chmod +x, or begin the command with its interpreter, as python3"
+               : ""));
     return path;
   }
 
@@ -50,7 +55,12 @@ fs::path find_program(const std::string& name, const fs::path& directory) {
     const fs::path candidate = fs::absolute(fs::path(folder)) / name;
     if (is_program(candidate)) return candidate;
   }
-  throw StartError("program '" + name + "' found neither in " + own_folder().string() + " nor in PATH");
+  std::error_code ignored;
+  const bool here = fs::is_regular_file(directory / name, ignored);
+  throw StartError("program '" + name + "' found neither in " + own_folder().string() + " nor in PATH" +
+                   (here ? "; write ./" + name + " for the file of that name" +
+                               (directory.empty() ? " in this folder" : " in " + directory.string())
+                         : ""));
 }
 
 }  // namespace process

@@ -164,9 +164,9 @@ Ledger Ledger::open(const std::filesystem::path& path, const Experiment& experim
     Ledger ledger(std::move(connection));
     const std::string found = ledger.experiment().hash;
     if (found != experiment.hash) {
-      throw StorageError(file + ": holds experiment " + found +
-                         " but the design, its programs and their files make " + experiment.hash +
-                         "; give another --out, or restore what was changed");
+      throw FolderTaken(file + ": holds experiment " + found +
+                        " but the design, its programs and their files make " + experiment.hash +
+                        "; give another --out, or restore what was changed");
     }
     if (kind_of(database).version < schema) {
       SQLite::Transaction transaction(database);
@@ -175,6 +175,19 @@ Ledger Ledger::open(const std::filesystem::path& path, const Experiment& experim
       transaction.commit();
     }
     return ledger;
+  });
+}
+
+void Ledger::grow(const std::filesystem::path& path, const std::string& before, const Experiment& larger) {
+  const Ledger ledger = open(path, {before, larger.design});
+  guarded(path.string(), [&] {
+    SQLite::Database& database = ledger.connection_->database;
+    SQLite::Transaction transaction(database);
+    SQLite::Statement update(database, "INSERT OR REPLACE INTO experiment VALUES ('hash', ?), ('design', ?)");
+    update.bind(1, larger.hash);
+    update.bind(2, larger.design);
+    update.exec();
+    transaction.commit();
   });
 }
 

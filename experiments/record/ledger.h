@@ -16,6 +16,11 @@ struct StorageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The folder is somebody else's, of another experiment or another run: the same command again cannot help.
+struct FolderTaken : StorageError {
+  using StorageError::StorageError;
+};
+
 /// What an experiment's ledger says about itself.
 struct Experiment {
   std::string hash;    ///< of everything that decides its games, 32 hexadecimal digits
@@ -42,6 +47,11 @@ class Ledger {
   /// @throws StorageError naming the file: not a ledger, damaged, newer schema, another experiment (both
   /// hashes)
   static Ledger open(const std::filesystem::path& file, const Experiment& experiment);
+
+  /// Makes the ledger of `before` (a hash) that of a larger experiment, whose first games are the same.
+  ///
+  /// @throws StorageError as open
+  static void grow(const std::filesystem::path& file, const std::string& before, const Experiment& larger);
 
   /// Opens an existing ledger for reading only.
   ///

@@ -82,9 +82,13 @@ std::vector<Comparison> compare(std::span<const Pair> pairs) {
         [&](const MatchRecord& record, Team team) { return fouls_of_kind(record, team, kind); });
   }
   std::vector<double> p;
-  for (const Comparison& comparison : found) p.push_back(comparison.test.p);
+  std::vector<Comparison*> tested;  // the others have no p to adjust
+  for (Comparison& comparison : found) {
+    if (comparison.test.known) tested.push_back(&comparison);
+  }
+  for (const Comparison* comparison : tested) p.push_back(comparison->test.p);
   p = stats::holm(p);
-  for (std::size_t i = 0; i < found.size(); ++i) found[i].p_holm = p[i];
+  for (std::size_t i = 0; i < tested.size(); ++i) tested[i]->p_holm = p[i];
   return found;
 }
 

@@ -51,7 +51,7 @@ Fields fields_of(const Row& row, const Header::Condition& condition) {
   add_side(fields, "b", row.b, condition.b);
   add_mean(fields, "goal_difference", row.difference);
   add_interval(fields, "goal_difference_t", row.t_test.interval);
-  fields.emplace_back("goal_difference_t_p", record::number(row.t_test.p));
+  fields.emplace_back("goal_difference_t_p", row.t_test.known ? record::number(row.t_test.p) : "null");
   add_interval(fields, "goal_difference_bootstrap", row.bootstrap);
   fields.emplace_back("sign_flip_p", record::number(row.permutation_p));
   fields.emplace_back("sign_flip_p_holm", optional_number(row.permutation_p_holm));
@@ -93,8 +93,8 @@ std::string statistics_json(const std::vector<Comparison>& comparisons) {
     add_mean(fields, "b", one.b);
     fields.emplace_back("difference", record::number(one.test.difference));
     add_interval(fields, "difference", one.test.interval);
-    fields.emplace_back("p", record::number(one.test.p));
-    fields.emplace_back("p_holm", record::number(one.p_holm));
+    fields.emplace_back("p", one.test.known ? record::number(one.test.p) : "null");
+    fields.emplace_back("p_holm", one.test.known ? record::number(one.p_holm) : "null");
     return json_object(fields, "      ");
   });
 }
@@ -134,11 +134,14 @@ std::string json_sweeps(const std::vector<Sweep>& sweeps) {
     fields.emplace_back("sweep", record::quoted(sweep.name));
     fields.emplace_back("key", record::quoted(sweep.key));
     fields.emplace_back("slope", sweep.trend.known ? record::number(sweep.trend.slope) : "null");
-    fields.emplace_back("slope_standard_error",
-                        sweep.trend.known ? record::number(sweep.trend.standard_error) : "null");
-    add_interval(fields, "slope", sweep.trend.interval);
-    fields.emplace_back("p", record::number(sweep.trend.p));
-    fields.emplace_back("permutation_p", record::number(sweep.trend.permutation_p));
+    const auto if_known = [&](const std::string& name, double value) {
+      fields.emplace_back(name, sweep.trend.known ? record::number(value) : "null");
+    };
+    if_known("slope_standard_error", sweep.trend.standard_error);
+    if_known("slope_low", sweep.trend.interval.low);
+    if_known("slope_high", sweep.trend.interval.high);
+    if_known("p", sweep.trend.p);
+    if_known("permutation_p", sweep.trend.permutation_p);
     return json_object(fields, "    ");
   });
 }
@@ -156,7 +159,7 @@ std::string json_panels(const std::vector<PanelComparison>& panels) {
                           add_mean(inner, "b", line.b);
                           inner.emplace_back("difference", record::number(line.test.difference));
                           add_interval(inner, "difference", line.test.interval);
-                          inner.emplace_back("p", record::number(line.test.p));
+                          inner.emplace_back("p", line.test.known ? record::number(line.test.p) : "null");
                           inner.emplace_back("win_share_difference", record::number(line.win_share));
                           add_interval(inner, "win_share_difference", line.win_share_interval);
                           return json_object(inner, "      ");
@@ -184,7 +187,7 @@ std::vector<Fields> panel_fields(const PanelComparison& panel) {
     fields.emplace_back("goal_difference_standard_error",
                         line.pairs > 1 ? record::number(line.test.standard_error) : "null");
     add_interval(fields, "goal_difference_t", line.test.interval);
-    fields.emplace_back("goal_difference_t_p", record::number(line.test.p));
+    fields.emplace_back("goal_difference_t_p", line.test.known ? record::number(line.test.p) : "null");
     fields.emplace_back("pairs", std::to_string(line.pairs));
     fields.emplace_back("verdict", record::quoted(panel.sentence()));
     all.push_back(std::move(fields));
@@ -241,8 +244,9 @@ class Extras {
       add_mean(fields, name + "_a", there ? found->a : stats::Mean{});
       add_mean(fields, name + "_b", there ? found->b : stats::Mean{});
       fields.emplace_back(name + "_difference", there ? record::number(found->test.difference) : "null");
-      fields.emplace_back(name + "_p", there ? record::number(found->test.p) : "null");
-      fields.emplace_back(name + "_p_holm", there ? record::number(found->p_holm) : "null");
+      const bool tested = there && found->test.known;
+      fields.emplace_back(name + "_p", tested ? record::number(found->test.p) : "null");
+      fields.emplace_back(name + "_p_holm", tested ? record::number(found->p_holm) : "null");
     }
   }
 

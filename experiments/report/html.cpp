@@ -94,7 +94,7 @@ std::string differences(const std::vector<Row>& rows) {
                             "p sign flips", "p wins against losses", "r within pairs"}) +
                      "<tbody>\n";
   for (const Row& row : rows) {
-    const bool shown = row.games > 0 && row.p_holm.value_or(row.p) < 0.05;
+    const bool shown = row.shows_difference();
     text += std::string("<tr") + (shown ? " class=\"sig\"" : "") + ">" + cell(row.condition) +
             cell(std::to_string(row.difference.count)) + cell(signed_plus_minus(row.difference)) +
             cell(bracketed(row.t_test.interval)) + cell(bracketed(row.bootstrap)) +
@@ -132,7 +132,7 @@ std::string panels(const std::vector<PanelComparison>& all) {
       text += "<tr>" + cell(line.opponent) + cell(std::to_string(line.pairs)) +
               cell(signed_plus_minus(line.a)) + cell(signed_plus_minus(line.b)) +
               cell(signed_number(line.test.difference, 2)) + cell(bracketed(line.test.interval)) +
-              cell(p_value(line.test.p)) + cell(signed_number(100 * line.win_share, 1)) +
+              cell(p_value(line.test)) + cell(signed_number(100 * line.win_share, 1)) +
               cell(bracketed({100 * line.win_share_interval.low, 100 * line.win_share_interval.high}, 1)) +
               "</tr>\n";
     }
@@ -150,8 +150,8 @@ std::string statistics(const Row& row, bool open) {
             (one.label.starts_with(' ') ? cell(one.label.substr(2), "part") : cell(one.label)) +
             cell(plus_minus(one.a, one.decimals)) + cell(plus_minus(one.b, one.decimals)) +
             cell(signed_number(one.test.difference, one.decimals)) +
-            cell(bracketed(one.test.interval, one.decimals)) + cell(p_value(one.test.p)) +
-            cell(p_value(one.p_holm)) + "</tr>\n";
+            cell(bracketed(one.test.interval, one.decimals)) + cell(p_value(one.test)) + cell(holm_p(one)) +
+            "</tr>\n";
   }
   for (const GameNumber& one : row.game_numbers) {
     text += "<tr>" + cell(one.label) + "<td colspan=\"2\">" + escaped(plus_minus(one.value, one.decimals)) +

@@ -104,7 +104,7 @@ std::string statistics(const Row& row) {
     text += fmt::format("{}{} & {} & {} & ${}$ & {} & {} \\\\\n", part ? "\\quad " : "",
                         escaped(part ? one.label.substr(2) : one.label), with_error(one.a, one.decimals),
                         with_error(one.b, one.decimals), signed_number(one.test.difference, one.decimals),
-                        bracketed(one.test.interval, one.decimals), escaped(p_value(one.p_holm)));
+                        bracketed(one.test.interval, one.decimals), escaped(holm_p(one)));
   }
   for (const GameNumber& one : row.game_numbers) {
     text += fmt::format("{} & \\multicolumn{{2}}{{c}}{{{}}} & & & \\\\\n", escaped(one.label),
@@ -122,7 +122,7 @@ std::string panel(const PanelComparison& found) {
     text +=
         fmt::format("{} & {} & {} & {} & ${}$ & {} & {} & ${}$ {} \\\\\n", escaped(line.opponent), line.pairs,
                     with_error(line.a, 2), with_error(line.b, 2), signed_number(line.test.difference, 2),
-                    bracketed(line.test.interval), escaped(p_value(line.test.p)),
+                    bracketed(line.test.interval), escaped(p_value(line.test)),
                     signed_number(100 * line.win_share, 1), interval(line.win_share_interval, 100, 1));
   }
   return text + "\\bottomrule\n\\end{tabular}\n";

@@ -51,7 +51,7 @@ std::string statistics(const Row& row) {
     text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", cell(one.label),
                         plus_minus(one.a, one.decimals), plus_minus(one.b, one.decimals),
                         signed_number(one.test.difference, one.decimals),
-                        bracketed(one.test.interval, one.decimals), p_value(one.test.p), p_value(one.p_holm));
+                        bracketed(one.test.interval, one.decimals), p_value(one.test), holm_p(one));
   }
   for (const GameNumber& one : row.game_numbers) {
     text += fmt::format("| {} | {} | | | | | |\n", cell(one.label), plus_minus(one.value, one.decimals));
@@ -83,7 +83,7 @@ std::string as_markdown(const Summary& summary) {
       text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} {} |\n", cell(line.opponent), line.pairs,
                           signed_plus_minus(line.a), signed_plus_minus(line.b),
                           signed_number(line.test.difference, 2), bracketed(line.test.interval),
-                          p_value(line.test.p), signed_number(100 * line.win_share, 1),
+                          p_value(line.test), signed_number(100 * line.win_share, 1),
                           bracketed({100 * share.low, 100 * share.high}, 1));
     }
   }

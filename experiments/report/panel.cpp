@@ -45,10 +45,10 @@ std::string PanelComparison::title() const {
 std::string PanelComparison::sentence() const {
   if (lines.empty() || lines.back().pairs < 2) return title() + ": too few pairs to say anything";
   const Line& last = lines.back();
-  return fmt::format("{}: A's goal difference minus B's is {} {} a game (p {}{}; {} pairs{})", title(),
+  return fmt::format("{}: A's goal difference minus B's is {} {} a game (p {}; {} pairs{})", title(),
                      signed_number(last.test.difference, 2), bracketed(last.test.interval),
-                     last.test.p < 0.001 ? "" : "= ", p_value(last.test.p), last.pairs,
-                     lines.size() > 1 ? ", all opponents" : "");
+                     !last.test.known || last.test.p < 0.001 ? p_value(last.test) : "= " + p_value(last.test),
+                     last.pairs, lines.size() > 1 ? ", all opponents" : "");
 }
 
 PanelComparison compare_panel(const std::string& base,

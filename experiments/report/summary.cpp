@@ -172,13 +172,22 @@ std::vector<Sweep> sweeps_of(const std::vector<Row>& rows, const std::vector<Hea
 
 }  // namespace
 
+bool Row::shows_difference() const {
+  return games > 0 && answer.empty() && p_holm.value_or(p) < usual_level &&
+         permutation_p_holm.value_or(permutation_p) < usual_level;
+}
+
 std::string Row::verdict() const {
   if (games == 0) return "no game counts yet";
   const std::string how_sure = std::string("(p ") + (p < 0.001 ? "" : "= ") + p_text(p) +
                                (p_holm ? "; Holm " + p_text(*p_holm) : "") + ")";
+  if (!answer.empty()) return answer;
   if (p_holm.value_or(p) >= usual_level) return "no difference shown " + how_sure;
-  return (a.wins > b.wins ? "A wins more games than it loses " : "A loses more games than it wins ") +
-         how_sure;
+  const std::string verdict =
+      (a.wins > b.wins ? "A wins more games than it loses " : "A loses more games than it wins ") + how_sure;
+  if (shows_difference()) return verdict;
+  return verdict + " if the games of a pair are independent; over pairs not shown (sign flips p " +
+         p_text(permutation_p_holm.value_or(permutation_p)) + ")";
 }
 
 Summary summarise(Header header, std::span<const Attempt> attempts) {
@@ -210,6 +219,10 @@ Summary summarise(Header header, std::span<const Attempt> attempts) {
     }
     summary.rows.push_back(all.row(voids, given_up));
     summary.without_forfeits.push_back(clean.row(voids, given_up));
+    if (!condition.answer.empty()) {
+      summary.rows.back().answer = condition.answer;
+      summary.without_forfeits.back().answer = "not tested alone: the sequential test counts forfeits";
+    }
     summary.games += summary.rows.back().games;
     summary.planned += 2 * summary.header.pairs;
   }

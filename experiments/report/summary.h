@@ -33,6 +33,7 @@ struct Header {
       char arm = 'a';        ///< 'a' or 'b'
     };
     std::optional<Panel> panel{};
+    std::string answer{};                    ///< of a sequential test; empty: none
     std::string sweep{};                     ///< the sweep it is a point of; empty: none
     std::map<std::string, double> values{};  ///< of the sweep: what was set, by its key ("b.speed_factor")
   };
@@ -87,8 +88,12 @@ struct Row {
   std::vector<Comparison> comparisons;  ///< match statistics, A against B; empty: no game has any
   std::vector<GameNumber> game_numbers;
 
+  std::string answer{};  ///< of the test that decides, when another than these does; empty: none does
+
   /// One sentence, from team A's view.
   std::string verdict() const;
+  /// Whether that is a difference: in games won, and over pairs, whose games need not be independent.
+  bool shows_difference() const;
 };
 
 /// A question about a whole sweep: does the goal difference change with what was set?

@@ -87,11 +87,11 @@ std::string statistics(const Row& row) {
       fmt::format("\n  {:<28} {:>14} {:>14} {:>10}  {:<17} {}\n",
                   shortened("statistics, " + row.condition, 28), "A", "B", "A - B", "95 %", "Holm p");
   for (const Comparison& one : row.comparisons) {
-    text += fmt::format(
-        "  {} {} {} {:>10}  {:<17} {}{}\n", left(shortened(one.label, 28), 28),
-        right(plus_minus(one.a, one.decimals), 14), right(plus_minus(one.b, one.decimals), 14),
-        signed_number(one.test.difference, one.decimals), bracketed(one.test.interval, one.decimals),
-        p_value(one.p_holm), one.p_holm < 0.05 ? " *" : "");
+    text +=
+        fmt::format("  {} {} {} {:>10}  {:<17} {}{}\n", left(shortened(one.label, 28), 28),
+                    right(plus_minus(one.a, one.decimals), 14), right(plus_minus(one.b, one.decimals), 14),
+                    signed_number(one.test.difference, one.decimals),
+                    bracketed(one.test.interval, one.decimals), holm_p(one), one.p_holm < 0.05 ? " *" : "");
   }
   for (const GameNumber& one : row.game_numbers) {
     text += fmt::format("  {} {}\n", left(shortened(one.label, 28), 28),
@@ -143,7 +143,7 @@ std::string as_text(const Summary& summary) {
       text += fmt::format("  {} {:>5} {} {} {:>8}  {:<16} {}\n", left(shortened(line.opponent, 30), 30),
                           line.pairs, right(signed_plus_minus(line.a), 15),
                           right(signed_plus_minus(line.b), 15), signed_number(line.test.difference, 2),
-                          bracketed(line.test.interval), p_value(line.test.p));
+                          bracketed(line.test.interval), p_value(line.test));
     }
   }
   if (!summary.sweeps.empty()) text += "\nTrends\n";

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace report {
@@ -37,6 +38,12 @@ std::string p_value(double p) { return p < 0.001 ? "< 0.001" : fmt::format("{:.3
 
 std::string p_value(double p, std::optional<double> holm) {
   return p_value(p) + (holm ? " (Holm " + p_value(*holm) + ")" : "");
+}
+
+std::string p_value(const stats::TTest& test) { return test.known ? p_value(test.p) : "?"; }
+
+std::string holm_p(const Comparison& comparison) {
+  return comparison.test.known ? p_value(comparison.p_holm) : "?";
 }
 
 std::string correlation(const stats::PairCorrelation& found) {
@@ -114,11 +121,20 @@ std::vector<std::string> warnings(const Summary& summary) {
 std::vector<std::string> footnotes(const Summary& summary) {
   std::vector<std::string> notes = {
       "± is one standard error, intervals are 95 %; win %: Wilson; fouls are calls against the team a game",
-      "p is the exact two-sided sign test of A's wins against its losses",
+      "p is the exact two-sided sign test of A's wins against its losses; it takes the games of a pair as "
+      "independent, the sign flips do not",
       "A - B: mean over pairs of games with colours exchanged; sign flips: permutation test over pairs; r: "
       "correlation"};
   bool adjusted = false;
   for (const Row& row : summary.rows) adjusted = adjusted || row.p_holm.has_value();
+  const bool unknown = std::any_of(summary.rows.begin(), summary.rows.end(), [](const Row& row) {
+    return row.difference.count > 0 && (!row.t_test.known || !std::isfinite(row.bootstrap.low));
+  });
+  if (unknown) {
+    notes.emplace_back(
+        "?: cannot be known from fewer than two pairs (the bootstrap: six), or when all pairs came out "
+        "alike");
+  }
   if (adjusted) notes.emplace_back("Holm: adjusted for the number of conditions");
   if (!summary.sweeps.empty()) {
     notes.emplace_back("points of a sweep are not adjusted for their number: the trend is the question");

@@ -18,6 +18,8 @@ std::string bracketed(const stats::Interval& interval,
 std::string one_decimal(double value);
 std::string p_value(double p);                                 ///< "0.031", "< 0.001"
 std::string p_value(double p, std::optional<double> holm);     ///< "0.031 (Holm 0.062)"
+std::string p_value(const stats::TTest& test);                 ///< "?" when it has none
+std::string holm_p(const Comparison& comparison);              ///< the same, adjusted
 std::string correlation(const stats::PairCorrelation& found);  ///< "0.12 ± 0.20", "unknown"
 
 /// "A ours", and what hinders it: "B theirs, 3 robots, speed 0.5".

@@ -38,9 +38,8 @@ ResultFolder::ResultFolder(const fs::path& path) {
   }
   ::close(lock_);
   if (reason != EWOULDBLOCK) fail("cannot be locked", reason);
-  throw record::StorageError(
-      "result folder " + path.string() +
-      ": another run is writing there; wait until it has ended, or give another --out");
+  throw record::FolderTaken("result folder " + path.string() +
+                            ": another run is writing there; wait until it has ended, or give another --out");
 }
 
 ResultFolder::~ResultFolder() { ::close(lock_); }

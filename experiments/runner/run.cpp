@@ -272,6 +272,8 @@ class Run {
   bool preflight(RunResult& result) {
     state_ = "preflight";
     std::vector<PreflightGame> games = preflight_games(design_);
+    progress_.say(
+        "first a short game of each two programs, twice, to see that they play (--no-preflight skips it)");
     const auto look_around = [this] {
       keep_house();
       return signals_.wait(look);
@@ -417,6 +419,14 @@ RunResult run(const schedule::Design& design, const RunOptions& options, std::os
   const std::string hash = experiment_hash(design, files, options.protocol);
 
   const ResultFolder folder(options.out);
+  if (options.grown_from) {
+    schedule::Design before = design;
+    before.pairs = *options.grown_from;
+    record::Ledger::grow(folder.ledger(), experiment_hash(before, files, options.protocol),
+                         {hash, design.text});
+    std::error_code ignored;
+    std::filesystem::remove(folder.manifest(), ignored);  // written anew below
+  }
   record::Ledger ledger = record::Ledger::open(folder.ledger(), {hash, design.text});
   if (!std::filesystem::exists(folder.manifest())) {
     write_manifest(folder.manifest(),

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,10 @@ struct RunOptions {
   std::string version;                    ///< of matchday, for the manifest
   std::string protocol;                   ///< of the channel between host and team
   std::vector<std::string> command_line;  ///< for the manifest and for the advice how to continue
-  bool terminal = false;                  ///< whether `progress` is one
+  /// A folder that holds the same experiment with this many pairs goes on with the design's; nothing: it is
+  /// another experiment.
+  std::optional<int> grown_from{};
+  bool terminal = false;  ///< whether `progress` is one
 
   /// A command that renews the report in the result folder, now and then and at the end; empty: none.
   std::vector<std::string> refresh_command;

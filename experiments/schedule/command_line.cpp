@@ -1,5 +1,8 @@
 #include "experiments/schedule/command_line.h"
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -41,6 +44,18 @@ std::vector<std::string> split_command(std::string_view line) {
   if (word) words.push_back(*word);
   if (words.empty()) throw std::invalid_argument("the command is empty; give a program and its arguments");
   return words;
+}
+
+std::string usual_name(const std::vector<std::string>& command) {
+  constexpr std::array interpreters{"python", "pypy", "sh", "bash", "dash", "perl", "ruby", "node", "lua"};
+  const std::string name = std::filesystem::path(command.front()).filename().string();
+  const std::string kind = name.substr(0, name.find_first_of("0123456789."));  // python3.11
+  if (std::find(interpreters.begin(), interpreters.end(), kind) == interpreters.end()) return name;
+  for (std::size_t i = 1; i < command.size() && command[i] != "-c"; ++i) {
+    const std::string script = std::filesystem::path(command[i]).filename().string();
+    if (!command[i].starts_with('-') && !script.empty()) return script;
+  }
+  return name;
 }
 
 }  // namespace schedule

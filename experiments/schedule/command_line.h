@@ -13,4 +13,10 @@ namespace schedule {
 /// @throws std::invalid_argument when a quote is not closed or there is no word at all
 std::vector<std::string> split_command(std::string_view line);
 
+/// What a team is called if nobody says: the file name of its program, or of the script when an interpreter
+/// runs it ("python3 my_team.py" is my_team.py).
+///
+/// @pre command is not empty
+std::string usual_name(const std::vector<std::string>& command);
+
 }  // namespace schedule

@@ -18,8 +18,6 @@ namespace schedule {
 namespace {
 
 constexpr std::int64_t most_pairs = 100'000;  // ours: two hundred thousand games are some weeks of a laptop
-// Two halves, each with the longest overrun, must stay below the host's 40 minutes (DESIGN, "Clock").
-constexpr double longest_half = 1'100;  // [s]
 constexpr std::int64_t most_forfeit_goals = 100;
 constexpr std::size_t most_conditions = 1'000;  // ours: a grid of more is a slip of the pen
 

@@ -138,7 +138,7 @@ Team read_team(TomlTable& table, std::size_t most_robots) {
                   "as command = [\"team-reference\"]; or give repository, revision, build and run");
   }
   if (team.config.name.empty()) {
-    team.config.name = std::filesystem::path(team.config.command.front()).filename().string();
+    team.config.name = usual_name(team.config.command);
   }
   table.finish();
   return team;

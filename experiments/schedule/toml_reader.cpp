@@ -188,6 +188,20 @@ void TomlTable::reject(const std::string& key, const std::string& problem) const
 }
 
 void TomlTable::missing(const std::string& key, const std::string& hint) const {
+  // Perhaps it is there under a misspelt name: then that name and its line are the news.
+  std::vector<std::string> absent{key};
+  for (const std::string& name : known_) {
+    if (!has(name)) absent.push_back(name);
+  }
+  for (const std::string& name : keys()) {
+    constexpr std::size_t letter = 2;  // of a and b each is near the other
+    const bool asked = std::find(known_.begin(), known_.end(), name) != known_.end();
+    if (asked || name.size() <= letter) continue;
+    if (const std::string meant = did_you_mean(name, absent); !meant.empty()) {
+      throw std::invalid_argument(place(name) + ": unknown key " + full_name(name) + " = " +
+                                  shown(*node_->get(name)) + meant);
+    }
+  }
   throw std::invalid_argument(node_->place(node_->table->source()) + ": " + full_name(key) + " is missing; " +
                               hint);
 }

@@ -9,7 +9,12 @@
 namespace stats {
 
 Interval bootstrap(std::span<const double> values, double confidence, int draws, std::uint64_t seed) {
-  if (values.size() < 2) {
+  // Of fewer values even the sign flips cannot reach 5 % (2 / 2^5 = 0.0625), and the ends would be the values
+  // themselves; equal values have no spread to resample.
+  constexpr std::size_t fewest = 6;
+  const bool all_alike =
+      std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); });
+  if (values.size() < fewest || all_alike) {
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
   Random random(seed);

@@ -59,7 +59,7 @@ Trend trend(std::span<const SweepPoint> points, double confidence, int draws, st
   const bool different = std::any_of(usable.begin(), usable.end(),
                                      [&](const SweepPoint& point) { return point.x != usable.front().x; });
   if (!different) return result;
-  if (std::isinf(smallest)) smallest = 1e-9;  // no spread anywhere: any slope is certain
+  if (std::isinf(smallest)) return result;  // no spread anywhere: nothing says how sure a slope is
 
   double weights = 0;
   double mean_x = 0;

@@ -22,7 +22,7 @@ struct Trend {
   Interval interval{};        ///< of the slope
   double p = 1;               ///< two-sided, "the slope is 0", normal
   double permutation_p = 1;   ///< two-sided, "x does not matter": values dealt to the points anew
-  bool known = false;         ///< two different x or more, each with two values or more
+  bool known = false;  ///< two different x or more, each with two values or more, not all without spread
 };
 
 /// Is there a trend over a sweep: one question, whatever the number of points, so nothing has to be adjusted.

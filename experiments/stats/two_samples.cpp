@@ -9,28 +9,26 @@
 namespace stats {
 namespace {
 
-/// The rest, once difference, standard error and degrees of freedom are there.
-/// @param p_without_spread  when the values are all the same, but not zero
-void finish(TTest& test, double confidence, double p_without_spread) {
-  if (test.standard_error == 0) {
-    test.p = test.difference == 0 ? 1 : p_without_spread;
-    test.t =
-        test.difference == 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), test.difference);
-    test.interval = {test.difference, test.difference};
-    return;
-  }
-  test.t = test.difference / test.standard_error;
-  test.p = std::min(1.0, 2 * t_cdf(-std::abs(test.t), test.freedom));
-  const double half = t_quantile((1 + confidence) / 2, test.freedom) * test.standard_error;
-  test.interval = {test.difference - half, test.difference + half};
-}
-
 TTest unknown(double difference) {
   TTest test;
   test.difference = difference;
   constexpr double infinite = std::numeric_limits<double>::infinity();
   test.interval = {-infinite, infinite};
   return test;
+}
+
+/// The rest, once difference, standard error and degrees of freedom are there.
+void finish(TTest& test, double confidence) {
+  constexpr double rounding = 1e-12;  // the deviation of equal values is this far from 0 at most
+  if (test.standard_error <= rounding * std::max(1.0, std::abs(test.difference))) {
+    test = unknown(test.difference);
+    return;
+  }
+  test.known = true;
+  test.t = test.difference / test.standard_error;
+  test.p = std::min(1.0, 2 * t_cdf(-std::abs(test.t), test.freedom));
+  const double half = t_quantile((1 + confidence) / 2, test.freedom) * test.standard_error;
+  test.interval = {test.difference - half, test.difference + half};
 }
 
 }  // namespace
@@ -55,7 +53,7 @@ TTest welch(const Mean& first, const Mean& second, double confidence) {
   const double below =
       v1 * v1 / static_cast<double>(first.count - 1) + v2 * v2 / static_cast<double>(second.count - 1);
   test.freedom = below > 0 ? (v1 + v2) * (v1 + v2) / below : 1;
-  finish(test, confidence, 0);
+  finish(test, confidence);
   return test;
 }
 
@@ -65,7 +63,7 @@ TTest t_test(const Mean& mean, double confidence) {
   test.difference = mean.mean;
   test.standard_error = mean.standard_error;
   test.freedom = static_cast<double>(mean.count - 1);
-  finish(test, confidence, std::exp2(1 - static_cast<double>(mean.count)));
+  finish(test, confidence);
   return test;
 }
 

@@ -23,22 +23,22 @@ struct TTest {
   double standard_error = 0;  ///< of the difference
   double freedom = 0;         ///< degrees of freedom
   double t = 0;
-  double p = 1;       ///< two-sided
-  Interval interval;  ///< of the difference
+  double p = 1;        ///< two-sided
+  Interval interval;   ///< of the difference
+  bool known = false;  ///< false: too few values, or no spread among them; then p = 1, interval infinite
 };
 
 /// Two means of independent values, each with its own deviation.
 ///
-/// Nothing known (p = 1, infinite interval) when a group has fewer than two values. Groups without any spread
-/// give p = 1 when they are equal and p = 0 when not.
+/// Nothing is known (p = 1, infinite interval) when a group has fewer than two values, and when no group has
+/// any spread: values that are all alike tell nothing of how far the next one may be.
 ///
 /// Source  B. L. Welch, "The generalization of 'Student's' problem...", Biometrika 34, 1947
 TTest welch(const Mean& first, const Mean& second, double confidence = usual_confidence);
 
 /// A mean against zero: Student's test of the pairs' differences.
 ///
-/// n values that are all the same have p = 2^(1 - n), the least that exchanging signs can give: two games
-/// that ended alike prove nothing.
+/// Nothing is known (p = 1, infinite interval) of fewer than two values, and of values without any spread.
 TTest t_test(const Mean& mean, double confidence = usual_confidence);
 
 }  // namespace stats

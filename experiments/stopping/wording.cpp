@@ -96,6 +96,19 @@ std::string sentence(const Standing& standing, const schedule::Design& design) {
                     standing.bounds.upper);
 }
 
+std::string verdict(const Standing& standing) {
+  switch (standing.decision) {
+    case Decision::AcceptH1:
+      return "A is better, says the sequential test (H1 accepted)";
+    case Decision::AcceptH0:
+      return "A is not better, says the sequential test (H0 accepted)";
+    case Decision::GoOn:
+      return "not decided yet by the sequential test";
+    default:
+      return "undecided by the sequential test";
+  }
+}
+
 std::vector<std::string> sentences(const schedule::Design& design,
                                    std::span<const record::Attempt> attempts) {
   std::vector<std::string> texts;

@@ -13,14 +13,16 @@ import sys
 
 
 def find_messages():
-    """Puts the generated modules on the path: MATCHDAY_PROTO_PATH, or build/release/python of this checkout."""
+    """Puts the generated modules on the path: MATCHDAY_PROTO_PATH, or build/release/python of a folder above."""
     here = pathlib.Path(__file__).resolve()
-    places = [os.environ.get("MATCHDAY_PROTO_PATH"), here.parents[2] / "build/release/python"]
+    places = [os.environ.get("MATCHDAY_PROTO_PATH")]
+    places += [folder / "build/release/python" for folder in here.parents]  # of the checkout it lies in
     for place in places:
         if place and (pathlib.Path(place) / "sim/proto/match_pb2.py").exists():
             sys.path.insert(0, str(place))
             return
-    sys.exit("team-example-python: no sim/proto/match_pb2.py found; set MATCHDAY_PROTO_PATH to the python folder of a build")
+    sys.exit("team-example-python: no sim/proto/match_pb2.py found; set MATCHDAY_PROTO_PATH to build/release/python of a "
+             "built Matchday checkout")
 
 
 class Channel:
@@ -113,7 +115,12 @@ class Team:
                 target = (-self.half_length / 2, (2 * share - 1) * self.half_width)
                 if not playing:
                     target = self.away_from_ball(target)
-                self.drive(control, number, pose, target, self.direction(pose, self.ball), slow=name == "STOP")
+                self.drive(control, number, pose, target, self.direction(pose, self.ball), slow=self.stopped(name))
+
+    @staticmethod
+    def stopped(name):
+        """After a goal the command stays GOAL until the next kickoff is prepared; it means the same as STOP."""
+        return name == "STOP" or name.startswith("GOAL")
 
     def away_from_ball(self, point):
         distance = max(math.dist(point, self.ball), 1e-3)

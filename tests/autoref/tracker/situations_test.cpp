@@ -136,16 +136,22 @@ Table play(const char* preset, std::uint64_t seed, double half) {
   return table;
 }
 
-// Bounds are half again what was measured (README), so that a change for the worse shows.
+// Bounds are half again what was measured (README), so that a change for the worse shows. How far a hidden ball is
+// off depends on the few long hidings of a game, hence the middle of three games.
 TEST(Situations, ErrorsAgainstTruthWithMeasuredSensors) {
-  Table table = play("measured", 7, 100);
-  EXPECT_LT(table["robot"].position_rms(), 0.002);
-  EXPECT_LT(table["robot"].velocity_rms(), 0.09);
-  EXPECT_LT(table["ball at rest"].position_rms(), 0.004);
-  // A kick is believed some frames after it: in 2 % of the frames the ball is elsewhere.
-  EXPECT_LT(table["ball rolling or sliding"].position_rms_of(0.98), 0.012);
-  EXPECT_LT(table["ball at a dribbler"].position_rms(), 0.015);
-  EXPECT_LT(table["ball hidden by a robot"].position_rms(), 0.09);
+  std::array<double, 3> hidden{};
+  for (std::size_t game = 0; game < hidden.size(); ++game) {
+    Table table = play("measured", 7 + game, 100);
+    EXPECT_LT(table["robot"].position_rms(), 0.002);
+    EXPECT_LT(table["robot"].velocity_rms(), 0.09);
+    EXPECT_LT(table["ball at rest"].position_rms(), 0.004);
+    // A kick is believed some frames after it: in 2 % of the frames the ball is elsewhere.
+    EXPECT_LT(table["ball rolling or sliding"].position_rms_of(0.98), 0.012);
+    EXPECT_LT(table["ball at a dribbler"].position_rms(), 0.015);
+    hidden[game] = table["ball hidden by a robot"].position_rms();
+  }
+  std::ranges::sort(hidden);
+  EXPECT_LT(hidden[1], 0.09);
 }
 
 // In one game of nine a false ball is believed for seconds while the true one is hidden between robots (0.9 m

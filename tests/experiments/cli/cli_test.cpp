@@ -98,6 +98,15 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"play --blu x", "unknown flag '--blu'; see matchday play --help", 2},
         Mistake{"play --blue true --yellow true --half-length -3", "-3 not in range 1", 2},
+        Mistake{"play --blue true --yellow true --half-length 1200", "not in range 1.000000 to 1100", 2},
+        Mistake{"play --blue true --yellow true --seed -3", "-3: must be a whole number from 0", 2},
+        Mistake{"play --blue true --yellow true --seed 99999999999999999999999", "must be a whole number", 2},
+        Mistake{"compare a b --run x --seed 9223372036854775808", "from 0 to 9223372036854775807", 2},
+        Mistake{"play --blue true --yellow true --team-logs /proc/no",
+                "--team-logs /proc/no: the folder cannot", 2},
+        Mistake{"play --blue good.toml --yellow true", "write ./good.toml for the file", 2},
+        Mistake{"play --blue ./good.toml --yellow true", "make it one with chmod +x", 2},
+        Mistake{"run good.toml --out .", "--out .: holds '", 5}, Mistake{"run", "see matchday run --help", 2},
         Mistake{"", "subcommand", 2},
         Mistake{"dance", "unknown command 'dance'; known are: play, continue, run", 2},
         Mistake{"run good.toml --fast", "--fast", 2}, Mistake{"run", "design is required", 2},
@@ -272,7 +281,7 @@ TEST_F(MatchdayProgram, PlanSaysWhyItCouldNotMeasure) {
   write_design("good.toml");
   const Said plan = matchday("plan good.toml");
   EXPECT_EQ(plan.code, 2);
-  EXPECT_THAT(plan.text, HasSubstr("the calibration game ended by a fault: "));
+  EXPECT_THAT(plan.text, HasSubstr("the short game that measures the pace ended by a fault: "));
 }
 
 // The whole way of a limit: design, runner, worker, host, log. The team prints 1.2 MB a simulated second and
@@ -338,7 +347,32 @@ TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
   EXPECT_EQ(mended.code, 0) << mended.text;
   const Said other = matchday("compare main fast --team-repo team --run bin/t.sh --games 4 --out c");
   EXPECT_EQ(other.code, 5) << "there are games of the other command";
-  EXPECT_THAT(other.text, HasSubstr("c/design.toml: is of another comparison"));
+  EXPECT_THAT(
+      other.text,
+      HasSubstr("c: holds games of another comparison: `build = \"mkdir bin && cp t.sh bin/\"` there, "
+                "`build = \"\"` here; give another --out"));
+
+  const std::string bin =
+      " --build 'mkdir bin && cp t.sh bin/' --run 'bin/t.sh goals=2' --out c --worker " BIN_DIR
+      "/coin_worker";
+  const Said more = matchday("compare main fast --team-repo team --games 8" + bin);
+  EXPECT_EQ(more.code, 0) << more.text;
+  EXPECT_THAT(more.text, AllOf(HasSubstr("going on to 8 games from 4"), HasSubstr("4 of 8 games are there"),
+                               HasSubstr("8 of 8 games")));
+  EXPECT_THAT(matchday("compare main fast --team-repo team --games 8" + bin).text,
+              HasSubstr("8 of 8 games are there"));
+  const Said fewer = matchday("compare main fast --team-repo team --games 6" + bin);
+  EXPECT_EQ(fewer.code, 5);
+  EXPECT_THAT(fewer.text, HasSubstr("was begun with --games 8"));
+
+  // A short game that fails leaves a folder without games, which is in nobody's way.
+  const std::string unable = "compare main fast --team-repo team --run ./t.sh --games 4 --out e";
+  EXPECT_EQ(matchday(unable).code, 3);
+  EXPECT_EQ(matchday(unable + " --seed 2").code, 3);
+  EXPECT_THAT(matchday("compare main main --team-repo team --games 2 --run ./t.sh --out f --worker " BIN_DIR
+                       "/coin_worker")
+                  .text,
+              HasSubstr("a program against itself"));
 }
 
 TEST_F(MatchdayProgram, PlayOfATeamThatDoesNotConnectIsAForfeitWithItsReason) {

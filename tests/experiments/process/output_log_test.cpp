@@ -28,6 +28,19 @@ TEST(OutputLog, KeepsTheFirstBytesAndSaysThatTheRestIsMissing) {
   std::filesystem::remove(path);
 }
 
+// What a sentence about a failed team quotes; known without a file.
+TEST(OutputLog, KnowsTheLastLine) {
+  OutputLog log({}, 0);
+  EXPECT_EQ(log.last_line(), "");
+  log.write("one\nunknown argu");
+  log.write("ment \x1b[0m--x\n \n");
+  EXPECT_EQ(log.last_line(), "unknown argument  [0m--x");
+  const std::string flood(5000, 'a');
+  log.write(flood);
+  log.write("b");
+  EXPECT_EQ(log.last_line(), "..." + flood.substr(0, 199) + "b");
+}
+
 TEST(OutputLog, SaysWhichFileItCannotMake) {
   EXPECT_THAT(
       [] { OutputLog log("/nowhere/x.log", 10); },

@@ -28,8 +28,11 @@ TEST(FindProgram, TakesANameWithASlashAsAPath) { EXPECT_EQ(find_program("/bin/sh
 TEST(FindProgram, SaysWhatItLookedFor) {
   EXPECT_THAT(reason("no-such-team"), testing::HasSubstr("'no-such-team' found neither in"));
   EXPECT_EQ(reason("/nowhere/team"), "program '/nowhere/team' does not exist");
-  EXPECT_EQ(reason(SOURCE_DIR "/CMakeLists.txt"),
-            "program '" SOURCE_DIR "/CMakeLists.txt' is not an executable file");
+  EXPECT_EQ(
+      reason(SOURCE_DIR "/CMakeLists.txt"),
+      "program '" SOURCE_DIR
+      "/CMakeLists.txt' is not an executable file; make it one with chmod +x, or begin the command with "
+      "its interpreter, as python3");
   EXPECT_EQ(reason(""), "the command of a program is empty");
 }
 

@@ -29,19 +29,21 @@ rule set ssl-2015, realism measured, seed 7, 3 pairs per condition
 equal: no difference shown (p = 0.625; Holm 0.625)
   A ours                             6     1     2     3   16.7 [3.0, 56.4]     1.00 ± 0.37      4.0
   B theirs                           6     3     2     1   50.0 [18.8, 81.2]    1.50 ± 0.22      7.0
-  A - B -0.50 ± 0.58 goals a game, 95 %: t [-2.98, 1.98], bootstrap [-1.50, 0.50]
+  A - B -0.50 ± 0.58 goals a game, 95 %: t [-2.98, 1.98], bootstrap [?, ?]
         sign flips p 0.750 (Holm 0.750); 3 pairs, r within pairs 1.00 ± 0.00; 60.0 stoppages a game
 
 hindered (realism measured with radio.loss 0.2): no difference shown (p = 0.031; Holm 0.063)
   A ours                             6     6     0     0   100.0 [61.0, 100.0]  3.50 ± 0.22      4.0
   B theirs, 3 robots, speed 0.5      6     0     0     6   0.0 [0.0, 39.0]      1.00 ± 0.37      7.0
-  A - B +2.50 ± 0.58 goals a game, 95 %: t [0.02, 4.98], bootstrap [1.50, 3.50]
+  A - B +2.50 ± 0.58 goals a game, 95 %: t [0.02, 4.98], bootstrap [?, ?]
         sign flips p 0.250 (Holm 0.500); 3 pairs, r within pairs 1.00 ± 0.00; 60.0 stoppages a game
 
 ± is one standard error, intervals are 95 %; win %: Wilson; fouls are calls against the team a game.
-p is the exact two-sided sign test of A's wins against its losses.
+p is the exact two-sided sign test of A's wins against its losses; it takes the games of a pair as
+  independent, the sign flips do not.
 A - B: mean over pairs of games with colours exchanged; sign flips: permutation test over pairs; r:
   correlation.
+?: cannot be known from fewer than two pairs (the bootstrap: six), or when all pairs came out alike.
 Holm: adjusted for the number of conditions.
 Note: equal: 1 void attempt by no fault of a single team, played again.
 )");

@@ -31,5 +31,13 @@ TEST(SplitCommand, RefusesAnOpenQuoteAndNothing) {
   EXPECT_THROW(split_command("   "), std::invalid_argument);
 }
 
+TEST(UsualName, IsTheScriptsWhenAnInterpreterRunsIt) {
+  EXPECT_EQ(usual_name({"build/my-team", "x"}), "my-team");
+  EXPECT_EQ(usual_name({"/usr/bin/python3.11", "-u", "src/mine.py", "--x"}), "mine.py");
+  EXPECT_EQ(usual_name({"python3", "-m", "mine"}), "mine");
+  EXPECT_EQ(usual_name({"sh", "-c", "exit 1"}), "sh");
+  EXPECT_EQ(usual_name({"python3"}), "python3");
+}
+
 }  // namespace
 }  // namespace schedule

@@ -48,9 +48,14 @@ TEST(Bootstrap, GivesTheBinomialQuantilesForZerosAndOnes) {
 }
 
 TEST(Bootstrap, IsTheSameEveryTime) {
-  const std::array<double, 5> values = {1, 2, 4, 8, 16};
+  const std::array<double, 6> values = {1, 2, 4, 8, 16, 32};
   EXPECT_EQ(bootstrap(values).low, bootstrap(values).low);
+}
+
+TEST(Bootstrap, SaysNothingOfFewValuesAndNothingOfEqualOnes) {
   EXPECT_TRUE(std::isinf(bootstrap(std::array{1.0}).high));
+  EXPECT_TRUE(std::isinf(bootstrap(std::array{1.0, 2.0, 4.0, 8.0, 16.0}).high));
+  EXPECT_TRUE(std::isinf(bootstrap(std::array{1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0}).high));
 }
 
 // A second method: for many values the normal interval.

@@ -53,7 +53,10 @@ TEST(Trend, IsUnknownWithOnePoint) {
 TEST(Trend, BearsPointsWithoutSpread) {
   const std::vector<double> zeros = {0, 0, 0};
   const std::vector<double> ones = {1, 1, 1};
-  EXPECT_NEAR(trend(std::vector<SweepPoint>{{0, zeros}, {1, ones}}).slope, 1, 1e-12);
+  const std::vector<double> more = {1, 2, 3};
+  EXPECT_TRUE(trend(std::vector<SweepPoint>{{0, zeros}, {1, more}}).known);
+  // No spread anywhere says nothing of how sure a slope is.
+  EXPECT_FALSE(trend(std::vector<SweepPoint>{{0, zeros}, {1, ones}}).known);
 }
 
 }  // namespace
