@@ -27,7 +27,6 @@ constexpr world::Duration before_seen = 4ms;     // a kick shows little so soon 
 constexpr world::Duration out_of_hiding = 50ms;  // a kicked ball comes into view within this; ours
 constexpr double kick_place_sigma = 0.010;       // [m] ours
 constexpr double hidden_kick_sigma = 0.025;      // [m] ours
-constexpr int held_again = 5;          // sightings at a dribbler that end a study: a chip passes sooner; ours
 constexpr int kicked_away = 3;         // sightings after which a kicked ball has left the dribbler; ours
 constexpr double landing_sigma = 0.5;  // [m/s] ours
 constexpr double beside_sigma =
@@ -199,9 +198,7 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   beside_robot_ = near_robot;
   study(measured, time, eye, near_robot);
   remember_hold(robots);
-  if (study_ && hold_ && study_->sightings() >= kicked_away && ++held_sightings_ >= held_again)
-    study_.reset();
-  if (!study_ || !hold_) held_sightings_ = 0;
+  if (study_ && hold_ && study_->sightings() >= kicked_away) study_.reset();
   return true;
 }
 

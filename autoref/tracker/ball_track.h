@@ -82,7 +82,6 @@ class BallTrack {
   std::optional<Hold> hold_;
   std::optional<Hold> hidden_;  // where it was, seen from the robot that hid it in the last frame
   std::optional<KickStudy> study_;
-  int held_sightings_ = 0;  // in a row at a dribbler while a kick is studied
   std::optional<Match> match_;
   Vector2d measured_ = Vector2d::Zero();  // [m] the last sighting that was used
   int measured_by_ = -1;                  // its camera

@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"continue good.toml", "good.toml: ", 2},
         Mistake{"report . --html --format csv", "excludes --", 2},
         Mistake{"compare a b --run x --h1 nan", "--h1: must be a number", 2},
-        Mistake{"compare a b --run x --seed -1", "--seed: must be from 0", 2},
+        Mistake{"compare a b --run x --seed -1", "--seed: -1: must be a whole number from 0", 2},
         Mistake{"report .", "./ledger.sqlite: there is no ledger", 5},
         Mistake{"report nowhere", "nowhere/ledger.sqlite: there is no ledger", 5},
         Mistake{"replay . one-0000-0", "there is no ledger", 5}));

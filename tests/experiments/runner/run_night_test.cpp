@@ -67,11 +67,11 @@ class Night : public RunTest {
 // ------------------------------------------------------------------------------------------------
 
 TEST_F(Night, FirstSignalLetsRunningGamesFinishAndStartsNone) {
-  const pid_t child = play_elsewhere(options("a", {"--milliseconds", "300"}));
+  const pid_t child = play_elsewhere(options("a", {"--milliseconds", "3000"}));
   ASSERT_TRUE(playing("a"));
   ::kill(child, SIGTERM);
   EXPECT_EQ(code_of(child), 128 + SIGTERM);
-  // Two places, so at most two games were running: a game lasts 0.3 s, the signal came during the first ones.
+  // Two places, so at most two games were running: a game lasts 3 s, the signal came during the first ones.
   EXPECT_EQ(table("a").size(), 2U);
   EXPECT_THAT(status("a"), HasSubstr("\"state\": \"interrupted\""));
   EXPECT_EQ(play(options("a")), Ending::Done);
