@@ -21,6 +21,11 @@ constexpr double at_the_ball = 0.35;  // [m]
 
 // A slow ball is gone to, a faster one is let come [m/s].
 constexpr double slow_ball = 0.6;
+// Hull to ball [m]: as near it may be touched, as far nobody takes it for one dribble (law 12; ours).
+constexpr double in_touch = 0.02;
+constexpr double out_of_touch = 0.05;
+constexpr int ticks_out_of_touch = 3;
+constexpr double letting_go_takes = 0.2;  // [s] until a ball pushed along with the hull is out of touch; ours
 // [s] After letting go of the ball the robot goes round it, and does not take it again the shortest way.
 constexpr double go_round_for = 1.2;
 
@@ -63,19 +68,34 @@ void Winner::choose(const kit::View& view, const Situation& situation, const kit
   chosen_at_ = view.time;
 }
 
-// Contact begins when the ball comes to the dribbler and ends when it is clearly away from the robot, as the
-// laws count a dribble: a ball that only trembles at the bar is the same dribble.
-// Kept for every robot: the role may go to another and come back during one dribble.
+Vector2d Winner::HoldWatch::farthest_from(const Vector2d& ball) const {
+  Vector2d farthest = ball;
+  for (std::size_t i = 0; i < places; ++i) {
+    if ((way[i] - ball).squaredNorm() > (farthest - ball).squaredNorm()) farthest = way[i];
+  }
+  return farthest;
+}
+
+void Winner::HoldWatch::go_on(const Vector2d& ball) {
+  constexpr double step = 0.1;  // [m]
+  if (places < way.size() && (places == 0 || (way[places - 1] - ball).norm() > step)) way[places++] = ball;
+}
+
+// Contact begins when the ball comes to the dribbler or to any side of the hull and ends when it is clearly
+// away from the robot, as the laws count a dribble: a ball that only trembles at the bar, or rolls along the
+// hull, is the same. Kept for every robot: the role may go to another and come back during one dribble.
 void Winner::watch_the_holds(const kit::View& view) {
   const double ball_radius = view.field().ball_radius;
   for (const kit::Robot& robot : view.own) {
     HoldWatch& watch = holds_[robot.number];
     watch.now = kit::holds_ball(robot, view.ball, ball_radius);
     const double away = (view.ball.position - robot.position).norm() - robot.specs.radius - ball_radius;
-    if (away > 0.05) watch.start.reset();
+    watch.ticks_apart = away > out_of_touch ? watch.ticks_apart + 1 : 0;
+    if (watch.ticks_apart >= ticks_out_of_touch) watch.places = 0;
+    const bool begins = watch.places == 0 && (watch.now || away < in_touch);
+    if (begins || watch.places > 0) watch.go_on(view.ball.position);
     if (!watch.now) continue;
-    if (!watch.start || view.time - watch.last_contact > 0.2) watch.since = view.time;
-    if (!watch.start) watch.start = view.ball.position;
+    if (begins || view.time - watch.last_contact > 0.2) watch.since = view.time;
     watch.last_contact = view.time;
   }
 }
@@ -123,7 +143,7 @@ skills::Order Winner::with_ball(const kit::View& view, const Situation& situatio
                                 const Parameters& parameters) {
   redirect_.reset();
   const HoldWatch& watch = holds_[robot.number];
-  const Hold hold{*watch.start, view.time - watch.since};
+  const Hold hold{watch.farthest_from(view.ball.position), view.time - watch.since};
   const WithBall what = choose_with_ball(view, robot, *choice_, hold, situation.their_time, parameters);
   if (what == WithBall::Release) {
     if (view.time - released_at_ > go_round_for) released_at_ = view.time;
@@ -137,6 +157,11 @@ skills::Order Winner::fetch(const kit::View& view, const Situation& situation, c
   const kit::Ball& ball = view.ball;
   const Vector2d to_ball = ball.position - robot.position;
   if (skills::is_at_wall(view)) return skills::free_from_wall(view, robot);
+  if (const HoldWatch& watch = holds_[robot.number]; watch.places > 0) {
+    const double pushed =
+        (ball.position - watch.farthest_from(ball.position)).norm() + letting_go_takes * ball.velocity.norm();
+    if (pushed > parameters.dribble_distance) return skills::let_go(view, robot);
+  }
   // A ball that comes is let come until it is there; one that leaves, or is beside the robot, is gone to.
   const double speed_of_ball = ball.velocity.norm();
   const bool comes = -ball.velocity.dot(to_ball) > 0.7 * speed_of_ball * to_ball.norm();

@@ -48,11 +48,17 @@ class Winner {
   int robot_ = -1;
   std::optional<Kick> choice_;
   double chosen_at_ = -1;  // [s] match time
+  // What the laws may call one dribble. Where it began others may see otherwise, so all of its way is kept.
   struct HoldWatch {
     bool now = false;
-    std::optional<Vector2d> start{};  // [m] of the ball
-    double last_contact = -1;         // [s] match time, as all below
+    std::array<Vector2d, 12> way{};  // [m] the ball's places, a tenth of a metre apart
+    std::size_t places = 0;          // of them known; 0: out of touch
+    int ticks_apart = 0;             // in a row
+    double last_contact = -1;        // [s] match time, as all below
     double since = -1;
+
+    Vector2d farthest_from(const Vector2d& ball) const;  // of the way; the ball itself when out of touch
+    void go_on(const Vector2d& ball);
   };
   std::array<HoldWatch, world::max_robot_number + 1> holds_{};
   double released_at_ = -9;

@@ -7,7 +7,7 @@ namespace reference {
 
 /// A robot's time with the ball at its dribbler.
 struct Hold {
-  Vector2d start = Vector2d::Zero();  ///< [m] of the ball when contact began
+  Vector2d start = Vector2d::Zero();  ///< [m] the ball's place farthest from here since contact began
   double time = 0;                    ///< [s] since then
 };
 

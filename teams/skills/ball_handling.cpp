@@ -151,6 +151,16 @@ Order release(const kit::Robot& robot, double since) {
   return order;
 }
 
+Order let_go(const kit::View& view, const kit::Robot& robot) {
+  Order order;
+  order.why = "let go";
+  const Vector2d away = robot.position - view.ball.position;
+  order.heading = world::angle_of(-away);
+  order.robot_margin = 0;
+  order.velocity = 0.8 * away.normalized();
+  return order;
+}
+
 Order kick_ahead(const kit::View& view, const kit::Robot& robot, double speed) {
   Order order;
   order.why = "kick ahead";

@@ -41,6 +41,9 @@ Order capture(const kit::View& view, const kit::Robot& robot, const kit::BallMod
 /// backspin out of it, then the robot backs off, `since` [s] after it began.
 Order release(const kit::Robot& robot, double since);
 
+/// Away from a ball that the hull pushes along, the shortest way, looking at it.
+Order let_go(const kit::View& view, const kit::Robot& robot);
+
 /// A ball at the dribbler is kicked straight ahead: over a robot that stands in the way, or under it away.
 ///
 /// @param speed  [m/s] of the flat kick

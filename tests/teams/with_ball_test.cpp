@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string_view>
+
 #include "teams/reference/winner.h"
 #include "tests/teams/support/views.h"
 
@@ -110,6 +112,51 @@ TEST(OneTouch, ShootsABallThatComesFromTheSideAndStopsOneFromBehind) {
   EXPECT_TRUE(choose_one_touch(view, robot, meeting, parameters, {}));
   view.ball.velocity = {3, 0};
   EXPECT_FALSE(choose_one_touch(view, robot, meeting, parameters, {}));
+}
+
+// The ball rolls beside the hull, never at the dribbler: law 12 counts that too.
+TEST(Push, ABallAlongTheHullIsLetGoBeforeTheMetreOfTheLaws) {
+  Winner winner;
+  Observer observer;
+  kit::View view = running({0, 0.12}, {1, 0});
+  put(view.own, 1, {0, 0}, -M_PI / 2);  // looks the other way
+  view.own.front().velocity = {1, 0};
+  double let_go_at = -1;
+  for (double x = 0; x < 1 && let_go_at < 0; x += 1.0 / world::ticks_per_second) {
+    view.ball.position.x() = view.own.front().position.x() = x;
+    ++view.tick;
+    view.time += 1.0 / world::ticks_per_second;
+    const skills::Order order = winner.play(view, observer.observe(view), view.own.front(), {}, {});
+    if (std::string_view(order.why) == "let go") let_go_at = x;
+    if (let_go_at >= 0) {
+      EXPECT_LT(order.velocity->y(), 0);
+    }
+  }
+  // dribble_distance less 0.2 s of its way, a tick, and a tenth of a metre between the places kept.
+  EXPECT_NEAR(let_go_at, Parameters{}.dribble_distance - 0.2, 0.12);
+}
+
+// There and back: straight from the far end it is a metre, though the ball is near where contact began.
+TEST(Push, TheWayOfADribbleCountsFromItsFarthestPlace) {
+  Winner winner;
+  Observer observer;
+  kit::View view = running({0, 0.12}, {1, 0});
+  put(view.own, 1, {0, 0}, -M_PI / 2);
+  const double step = 1.0 / world::ticks_per_second;
+  std::string_view why;
+  double x = 0;
+  for (; x < 0.5; x += step) {
+    view.ball.position.x() = view.own.front().position.x() = x;
+    ++view.tick, view.time += step;
+    EXPECT_STRNE(winner.play(view, observer.observe(view), view.own.front(), {}, {}).why, "let go");
+  }
+  view.ball.velocity = {-1, 0};
+  for (; x > -0.5 && why != "let go"; x -= step) {
+    view.ball.position.x() = view.own.front().position.x() = x;
+    ++view.tick, view.time += step;
+    why = winner.play(view, observer.observe(view), view.own.front(), {}, {}).why;
+  }
+  EXPECT_NEAR(x, 0.5 - (Parameters{}.dribble_distance - 0.2), 0.12);
 }
 
 }  // namespace
