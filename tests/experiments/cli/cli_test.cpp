@@ -224,9 +224,9 @@ TEST_F(MatchdayProgram, TellsHowToContinueAfterTroubleWithTheFolder) {
 
 TEST_F(MatchdayProgram, InterruptedSaysHowToContinue) {
   write_design("good.toml");
-  const std::string line = "run good.toml --out 'my results'" + fake("--milliseconds 5000");
+  const std::string line = "run good.toml --out 'my results' --no-preflight" + fake("--milliseconds 5000");
   const std::string shell =
-      "cd '" + folder_.string() + "' && timeout -s INT 1 " BIN_DIR "/matchday " + line + " 2>&1";
+      "cd '" + folder_.string() + "' && timeout -s INT 2 " BIN_DIR "/matchday " + line + " 2>&1";
   FILE* pipe = ::popen(shell.c_str(), "r");
   std::string text;
   std::array<char, 4096> buffer;
