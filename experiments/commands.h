@@ -141,6 +141,8 @@ struct JudgeOptions {
   double net_speed = 1;                   ///< pace of outside autorefs, in real times
   std::filesystem::path save{};           ///< and write it there as a recorded scenario
   bool sweep = false;                     ///< and those of the sweeps
+  std::filesystem::path keep{};           ///< folder in which the games are recorded; empty: nowhere
+  std::filesystem::path again{};          ///< folder with recorded games, which are judged instead of played
   std::string version;                    ///< of matchday
   std::vector<std::string> command_line;  ///< as we were called
 };

@@ -30,6 +30,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* recording_ending = ".judged";
+
 std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
 
 std::vector<int> processors() {
@@ -71,7 +73,9 @@ class Judging {
  public:
   Judging(const JudgeOptions& options, const schedule::Design& design)
       : held_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out),
-        folder_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out) {
+        folder_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out),
+        keep_(options.keep),
+        again_(options.again) {
     if (design.conditions.size() > 1) {
       for (const schedule::Condition& condition : design.conditions) {
         if (condition.realism.preset != design.conditions.front().realism.preset) {
@@ -94,6 +98,13 @@ class Judging {
     std::size_t games = schedule::game_count(design);
     if (options.games > 0) games = std::min(games, static_cast<std::size_t>(options.games));
     for (std::size_t n = 0; n < games; ++n) games_.push_back(schedule::game(design, n));
+    for (std::size_t n = 0; n < games_.size() && !again_.empty(); ++n) {
+      if (!fs::exists(again_ / recording(n))) {
+        throw std::invalid_argument("--again " + again_.string() + ": " + recording(n) +
+                                    " is not there; give the folder of matchday judge " +
+                                    options.design.string() + " --keep FOLDER, or fewer --games");
+      }
+    }
     identify(options, design);
   }
 
@@ -159,6 +170,7 @@ class Judging {
     shadows_.push_back(shadow);
   }
   std::string id(std::size_t n) const { return record::game_id(games_[n].key); }
+  std::string recording(std::size_t n) const { return id(n) + recording_ending; }
   fs::path result_file(std::size_t n) const { return folder_ / "games" / (id(n) + ".jsonl"); }
 
   /// One folder, one experiment: what decides its numbers is written once and compared ever after.
@@ -168,6 +180,7 @@ class Judging {
     const std::string protocol = "match protocol " + std::to_string(wire::match_protocol_version);
     std::string identity = runner::experiment_hash(design, files, protocol);
     for (const judge::ShadowConfig& shadow : shadows_) identity += "\n" + shadow.name;
+    if (!again_.empty()) identity += "\nagain " + again_.string();
     identity = runner::hash_of(identity);
     fs::create_directories(folder_ / "games");
     const fs::path file = folder_ / "experiment";
@@ -184,7 +197,10 @@ class Judging {
 
   std::unique_ptr<process::Child> start(std::size_t n, int cpu) const {
     const fs::path job = folder_ / "games" / (id(n) + ".job");
-    write(job, judge::to_json(judge::Job{id(n), games_[n].config, shadows_}));
+    judge::Job its{id(n), games_[n].config, shadows_};
+    if (!keep_.empty()) its.keep = keep_ / recording(n);
+    if (!again_.empty()) its.again = again_ / recording(n);
+    write(job, judge::to_json(its));
     process::Command command;
     command.arguments = {own_program(), "judge-game", job.string(), result_file(n).string()};
     command.output = folder_ / "games" / (id(n) + ".log");
@@ -208,6 +224,7 @@ class Judging {
 
   runner::ResultFolder held_;  // against a second run
   fs::path folder_;
+  fs::path keep_, again_;  // where recordings are written, or read
   std::vector<judge::ShadowConfig> shadows_;
   std::vector<schedule::Game> games_;
   int faults_ = 0;
@@ -222,8 +239,8 @@ void write_tables(const fs::path& folder, const std::vector<judge::GameResult>& 
 }
 
 /// One passage of one game again, tick by tick; `where` is GAME:FIRST-LAST as in failures.csv.
-/// @param save  where the passage is written as a recorded scenario; empty: nowhere
-int show(const schedule::Design& design, const std::string& where, const std::filesystem::path& save) {
+int show(const schedule::Design& design, const JudgeOptions& options) {
+  const std::string& where = options.show;
   const auto colon = where.rfind(':');
   const auto dash = where.rfind('-');
   judge::Passage passage;
@@ -238,7 +255,11 @@ int show(const schedule::Design& design, const std::string& where, const std::fi
   }
   const schedule::Game game = schedule::find_game(design, where.substr(0, colon));
   passage.out = &std::cout;
-  passage.save = save;
+  passage.save = options.save;
+  if (!options.again.empty()) {
+    judge::judge_again(options.again / (where.substr(0, colon) + recording_ending), {}, passage);
+    return done;
+  }
   runner::Signals signals;
   host::Options settings;
   settings.cpu = ::sched_getcpu();
@@ -247,7 +268,7 @@ int show(const schedule::Design& design, const std::string& where, const std::fi
   settings.on_second = [&](world::Time time, const auto&) {
     over = world::seconds(time) * world::ticks_per_second > static_cast<double>(passage.last + 120);
   };
-  judge::play_judged(where.substr(0, colon), game.config, {}, settings, passage);
+  judge::play_judged({where.substr(0, colon), game.config, {}}, settings, passage);
   return done;
 }
 
@@ -262,7 +283,11 @@ int judge(const JudgeOptions& options) {
     throw std::invalid_argument("--save " + options.save.string() +
                                 ": only a passage can be saved; give --show GAME:FIRST-LAST too");
   }
-  if (!options.show.empty()) return show(design, options.show, options.save);
+  if (!options.save.empty() && !options.again.empty()) {
+    throw std::invalid_argument("--save " + options.save.string() +
+                                ": a recorded game lacks what a scenario needs; leave out --again");
+  }
+  if (!options.show.empty()) return show(design, options);
   Judging judging(options, design);
   std::cerr << fmt::format("{}: {} games, realism {}, rule set {}, {} shadows, results in {}", design.name,
                            judging.count(), record::text(design.realism), design.rules,
@@ -299,7 +324,8 @@ int judge_game(const JudgeGameOptions& options) {
     interrupted = interrupted || signals.wait(std::chrono::milliseconds{0}).has_value();
     return interrupted;
   };
-  const judge::GameResult result = judge::play_judged(job.game, job.config, job.shadows, settings);
+  const judge::GameResult result =
+      job.again.empty() ? judge::play_judged(job, settings) : judge::judge_again(job.again, job.shadows);
   if (interrupted) return faults;
   if (!result.fault.empty()) throw std::runtime_error(result.fault);
   judge::write_game(options.result, result);

@@ -231,6 +231,11 @@ void add_judge(CLI::App& main, commands::JudgeOptions& options) {
   app.add_option("--save", options.save,
                  "with --show: write the passage as a recorded scenario, FILE.log.gz and FILE.json");
   app.add_flag("--sweep", options.sweep, "compare referees with worse and better eyes: 14 shadows");
+  auto* keep = app.add_option("--keep", options.keep, "record the games in that folder, 80 MB each");
+  app.add_option("--again", options.again,
+                 "judge the games recorded in that folder with the referee of today; nothing is played")
+      ->check(CLI::ExistingDirectory)
+      ->excludes(keep);
 }
 
 void add_judge_game(CLI::App& main, commands::JudgeGameOptions& options) {

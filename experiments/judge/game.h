@@ -58,14 +58,29 @@ struct Passage {
   std::int64_t first = 0, last = -1;  ///< ticks
   std::ostream* out = nullptr;
   std::filesystem::path save{};  ///< and to be written as a Snippet; empty: it is not
+  bool holds(std::int64_t tick) const { return tick >= first && tick <= last; }
+};
+
+/// A game to be judged.
+struct Job {
+  std::string game;  ///< its name in the schedule
+  record::MatchConfig config;
+  std::vector<ShadowConfig> shadows;
+  std::filesystem::path keep{};   ///< where it is recorded, see RecordingWriter; empty: nowhere
+  std::filesystem::path again{};  ///< the recording from which it is judged again; empty: it is played
 };
 
 /// Plays the game, judged by its rule set, with all shadows looking on.
 ///
 /// A configuration with a recording to continue replays that, without teams.
 /// @throws std::invalid_argument for an unknown rule set or key
-GameResult play_judged(const std::string& game, const record::MatchConfig& config,
-                       const std::vector<ShadowConfig>& shadows, const host::Options& options = {},
+GameResult play_judged(const Job& job, const host::Options& options = {}, const Passage& passage = {});
+
+/// Judges a recorded game with the detectors of today, in the states in which the acting referee was when it
+/// was played: in a tenth of the time.
+///
+/// @throws std::invalid_argument for a file that is none, or a shadow whose eyes were not recorded
+GameResult judge_again(const std::filesystem::path& recording, const std::vector<ShadowConfig>& shadows,
                        const Passage& passage = {});
 
 }  // namespace judge

@@ -169,6 +169,8 @@ std::string to_json(const Job& job) {
   json["config"] = record::to_json(job.config);
   json["shadows"] = Json::array();
   for (const ShadowConfig& shadow : job.shadows) json["shadows"].push_back(shadow.name);
+  if (!job.keep.empty()) json["keep"] = job.keep.string();
+  if (!job.again.empty()) json["again"] = job.again.string();
   return json.dump();
 }
 
@@ -180,6 +182,8 @@ Job job_from_json(const std::string& text) {
     job.config = record::match_config_from_json(json.at("config").get<std::string>());
     for (const Json& shadow : json.at("shadows"))
       job.shadows.push_back(parse_shadow(shadow.get<std::string>()));
+    job.keep = json.value("keep", "");
+    job.again = json.value("again", "");
   } catch (const Json::exception& error) {
     throw std::invalid_argument(std::string("the judge's job: ") + error.what());
   }

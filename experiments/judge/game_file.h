@@ -20,12 +20,6 @@ void write_game(const std::filesystem::path& file, const GameResult& result);
 /// @throws std::invalid_argument naming the file when it is damaged
 std::optional<GameResult> read_game(const std::filesystem::path& file);
 
-/// What a worker is to do.
-struct Job {
-  std::string game;
-  record::MatchConfig config;
-  std::vector<ShadowConfig> shadows;
-};
 std::string to_json(const Job& job);
 /// @throws std::invalid_argument saying what is wrong
 Job job_from_json(const std::string& text);

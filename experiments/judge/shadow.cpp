@@ -19,22 +19,14 @@ world::RuleSet on(const world::Field& field, world::RuleSet rules) {
 }  // namespace
 
 Shadow::Shadow(std::string name, const world::Geometry& geometry, world::RuleSet rules)
-    : name_(std::move(name)),
-      rules_(on(geometry.field, std::move(rules))),
-      tracker_(geometry, {.ball_in_space = rules_.chip_model}),
-      touches_(rules_.field, rules_.touch) {
+    : name_(std::move(name)), rules_(on(geometry.field, std::move(rules))), eyes_(geometry, rules_) {
   for (Part& part : parts_) part.detectors.emplace(rules_);
 }
 
 bool Shadow::see(std::span<const world::Detection> images, const Timeline& timeline, bool by_hand) {
-  const world::TrackedFrame* frame = tracker_.update(images);
   first_fresh_ = calls_.size();
-  if (frame == nullptr) return false;
-  if (frame->time <= last_frame_) touches_.reset();
-  frame_ = *frame;
-  frame_.touches.clear();
-  touches_.update(frame_, images, frame_.touches);
-  see(frame_, timeline.at(frame_.time), by_hand);
+  if (!eyes_.see(images)) return false;
+  see(eyes_.frame(), timeline.at(eyes_.frame().time), by_hand);
   return true;
 }
 

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "autoref/detectors/catalogue.h"
-#include "autoref/touch/touch_detector.h"
-#include "autoref/tracker/tracker.h"
 #include "experiments/judge/event.h"
+#include "experiments/judge/eyes.h"
 #include "experiments/judge/timeline.h"
 #include "sim/world/game_event.h"
 
@@ -55,7 +54,7 @@ class Shadow {
   std::span<Call> fresh() { return {calls_.data() + first_fresh_, calls_.size() - first_fresh_}; }
   const std::vector<Call>& calls() const { return calls_; }
   /// The ball's place in the last frame that showed it; for the reader of a failing case.
-  const world::TrackedFrame& frame() const { return frame_; }
+  const world::TrackedFrame& frame() const { return eyes_.frame(); }
 
  private:
   struct Part {  // of one location
@@ -69,9 +68,7 @@ class Shadow {
 
   std::string name_;
   world::RuleSet rules_;
-  tracker::Tracker tracker_;
-  touch::TouchDetector touches_;
-  world::TrackedFrame frame_;
+  Eyes eyes_;
   world::Time last_frame_;
   bool joined_ = false;        // has seen a frame
   std::array<Part, 3> parts_;  // GameOn, Setup, GameOff

@@ -97,7 +97,7 @@ TEST_F(OutsideAutoref, IsHeardAndChangesNothing) {
   // Ten times as fast as real: its packets come every 1.7 ms, which is what such a program can take under
   // load.
   const std::string name = "net@20:" BIN_DIR "/fake-autoref";
-  const GameResult judged = play_judged("it", config_, {parse_shadow(name)});
+  const GameResult judged = play_judged({"it", config_, {parse_shadow(name)}});
   EXPECT_EQ(judged.fault, "");
   EXPECT_EQ(judged.hash, alone.hash);
   ASSERT_EQ(judged.shadows.back(), name);
@@ -149,7 +149,7 @@ TEST_F(OutsideAutoref, ReportsAnExit) {
 }
 
 TEST_F(OutsideAutoref, SaysWhenTheProgramEnds) {
-  const GameResult judged = play_judged("it", config_, {parse_shadow("net@10:exit 3")});
+  const GameResult judged = play_judged({"it", config_, {parse_shadow("net@10:exit 3")}});
   EXPECT_THAT(judged.fault, HasSubstr("ended with code 3 before it registered at port 10007"));
 }
 

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/truth/truth.h"
+#include "sim/world/detection.h"
+#include "sim/world/game_state.h"
+
+namespace judge {
+
+/// One tick of a judged game: all that a referee is shown, and what really happened.
+struct RecordedTick {
+  truth::Frame truth;
+  std::vector<world::Detection> images;  ///< delivered in this tick; without pixels, areas and confidences
+  world::GameState state;                ///< of the acting referee after the tick; without its running clocks
+};
+
+/// Writes a judged game so that it can be judged again without playing it: about 80 MB for a full game.
+///
+/// Plain bytes in the order of this machine, numbers as they are in memory; what passed through the wire's
+/// floats is kept as these. The file gets its name when it is whole.
+class RecordingWriter {
+ public:
+  /// @throws std::runtime_error naming the file
+  RecordingWriter(std::filesystem::path file, const std::string& job);
+  void add(const truth::Frame& truth, std::span<const world::Detection> images,
+           const world::GameState& state);
+  /// @throws std::runtime_error naming the file
+  void close(std::int64_t ticks, const std::string& hash);
+
+ private:
+  std::filesystem::path file_;
+  std::vector<char> buffer_;
+  std::ofstream stream_;
+  std::string bytes_;  // of a tick
+  std::string state_;  // the last one, as text
+};
+
+/// Reads it back, tick by tick.
+class RecordingReader {
+ public:
+  /// @throws std::invalid_argument naming the file, when it is none
+  explicit RecordingReader(std::filesystem::path file);
+  const std::string& job() const { return job_; }
+  /// The next tick; null after the last one. Valid until the next call.
+  /// @throws std::invalid_argument naming the file, when it is damaged
+  const RecordedTick* next();
+  /// After the last tick.
+  std::int64_t ticks() const { return ticks_; }
+  const std::string& hash() const { return hash_; }
+
+ private:
+  template <class Value>
+  Value take();
+  std::string take_text();
+  world::RobotId take_robot();
+  [[noreturn]] void damaged() const;
+
+  std::filesystem::path file_;
+  std::vector<char> buffer_;
+  std::ifstream stream_;
+  std::string job_, hash_;
+  std::int64_t ticks_ = 0;
+  RecordedTick tick_;
+};
+
+}  // namespace judge
