@@ -33,7 +33,7 @@ Location location_of(CommandKind command) {
 Watcher::Watcher(const world::RuleSet& rules, const world::Geometry& geometry)
     : rules_(with_field(rules, geometry.field)),
       tracker_(geometry, {.ball_in_space = rules.chip_model}),
-      touches_(rules_.field, rules_.touch),
+      touches_(geometry, rules_.touch),
       detectors_(rules_) {}
 
 void Watcher::enter(Location location) {

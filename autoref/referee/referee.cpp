@@ -32,7 +32,7 @@ struct Referee::Inside {
   explicit Inside(Setup given)
       : setup(with_field(std::move(given))),
         tracker(setup.geometry, {.ball_in_space = setup.rules.chip_model}),
-        touches(setup.rules.field, setup.rules.touch),
+        touches(setup.geometry, setup.rules.touch),
         automaton(setup.rules, {setup.first_kickoff, setup.blue_on_positive_half, setup.keeper}) {
     for (const Team team : world::both_teams) message.teams[team].name = setup.names[team];
     message.status = setup_text(setup);

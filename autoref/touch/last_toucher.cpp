@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "autoref/touch/origin.h"
+#include "autoref/touch/retrace.h"
 
 namespace touch {
 namespace {
@@ -11,6 +12,10 @@ namespace {
 constexpr double likely = 0.1;  // a touch worth remembering; ours
 constexpr double sure = 0.5;    // a touch worth telling at once; ours
 constexpr double news = 0.05;   // change of a probability worth telling; ours
+
+constexpr int first_look = 3;  // sightings outside, when the exit is certain (paper, Algorithm 2)
+constexpr int last_look = 6;
+constexpr double hindsight = 0.7;  // share of what is believed after that; ours
 
 constexpr double robot_height = 0.15;  // [m] laws of 2015, Law 4 (reference "requirements", R-3.2-1)
 constexpr double gravity = 9.81;       // [m/s^2]
@@ -25,6 +30,8 @@ bool at_front(const Vector2d& ball_local) {  // requirements 1.10: the dribbler 
 
 void LastToucher::reset() {
   views_.reset();
+  trail_.reset();
+  outside_ = 0;
   visit_.reset();
   belief_.fill(0);
   told_.reset();
@@ -35,6 +42,13 @@ void LastToucher::update(const world::TrackedFrame& frame, std::span<const world
                          std::vector<world::Touch>& out) {
   const View* view = views_.add(frame, images, field_);
   fresh_.reset();
+  trail_.add(frame, images, told_.value_or(robot_slots), told_ ? belief_[*told_] : 0);
+  if (frame.ball && frame.ball->observed) {
+    const double out_by = world::distance_outside_lines(field_, frame.ball->position.head<2>());
+    outside_ = out_by > field_.ball_radius ? outside_ + 1 : 0;
+  }
+  if (outside_ >= first_look && outside_ <= last_look) look_back(out);
+  if (outside_ >= first_look) return;
   if (frame.ball && !frame.ball->observed) {
     if (!is_out(frame.ball->position.head<2>())) judge_hidden(frame);
     tell({}, out);
@@ -189,6 +203,20 @@ void LastToucher::end_visit(const View& view) {
     if (candidate && share > likely && last_[n].time < origin.earliest)
       remember(n, candidate->time, candidate->place);
   }
+}
+
+void LastToucher::look_back(std::vector<world::Touch>& out) {
+  if (outside_ == first_look) at_the_time_ = belief_;
+  const Retraced retraced = retrace(trail_, field_, views_.noise());
+  for (std::size_t n = 0; n < robot_slots; ++n) {
+    belief_[n] = (1 - hindsight) * at_the_time_[n] + hindsight * retraced.probability[n];
+  }
+  const auto top = static_cast<std::size_t>(std::ranges::max_element(belief_) - belief_.begin());
+  if (!(retraced.probability[top] > 0)) return tell({}, out);
+  const world::Touch touch{robot_in(top), retraced.time[top], retraced.place[top]};
+  first_[top] = last_[top] = touch;
+  if (told_ == top) told_touch_ = touch;
+  tell({}, out);
 }
 
 void LastToucher::remember(std::size_t robot, world::Time when, const Vector2d& place) {

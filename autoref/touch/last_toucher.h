@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "autoref/touch/likelihood.h"
+#include "autoref/touch/trail.h"
 #include "autoref/touch/views.h"
 #include "sim/world/field.h"
 #include "sim/world/tracked_frame.h"
@@ -18,8 +19,8 @@ namespace touch {
 /// them, what it did in between is judged once more by its course before and after.
 class LastToucher {
  public:
-  explicit LastToucher(const world::Field& field, LikelihoodParams params = {})
-      : field_(field), params_(params) {}
+  explicit LastToucher(const world::Geometry& geometry, LikelihoodParams params = {})
+      : field_(geometry.field), params_(params), trail_(geometry) {}
 
   /// Appends what the next frame tells: a new touch, or an old one, with its old time, whose probability
   /// changed.
@@ -51,6 +52,8 @@ class LastToucher {
   /// Whether a ball in flight was above or beside the robot that long ago [s].
   bool flies_past(const world::TrackedBall& ball, double ago, const Sighting::Robot& robot) const;
   void end_visit(const View& view);
+  /// The ball has just left the field: its whole way is gone through again.
+  void look_back(std::vector<world::Touch>& out);
   void remember(std::size_t robot, world::Time when, const Vector2d& place);
   void tell(std::optional<std::size_t> fresh, std::vector<world::Touch>& out);
   double noise_of(const View& view) const { return view.tracked() ? params_.tracked_sigma : views_.noise(); }
@@ -58,9 +61,12 @@ class LastToucher {
   world::Field field_;
   LikelihoodParams params_;
   Views views_;
+  Trail trail_;
+  int outside_ = 0;  // sightings in a row of a ball wholly outside
   std::optional<Visit> visit_;
   std::optional<world::Time> flew_;  // when the ball was last known to be in the air
   Beliefs belief_{};
+  Beliefs at_the_time_{};                          // before the ball's way was gone through again
   std::array<world::Touch, robot_slots> first_{};  // of each robot, its last contact: when it began
   std::array<world::Touch, robot_slots> last_{};   // when it was likely last
   std::array<world::Touch, robot_slots> sure_{};   // and when it was sure last

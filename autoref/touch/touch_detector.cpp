@@ -32,8 +32,8 @@ constexpr world::Duration longest_frame = 50ms;  // three frames; longer and pos
 
 }  // namespace
 
-TouchDetector::TouchDetector(const world::Field& field, world::TouchAlgorithms algorithms)
-    : field_(field), algorithms_(algorithms), last_toucher_(field) {}
+TouchDetector::TouchDetector(const world::Geometry& geometry, world::TouchAlgorithms algorithms)
+    : field_(geometry.field), algorithms_(algorithms), last_toucher_(geometry) {}
 
 void TouchDetector::reset() {
   forget_frames();

@@ -25,7 +25,7 @@ using world::Vector2d;
 /// order always has the most likely last toucher.
 class TouchDetector {
  public:
-  TouchDetector(const world::Field& field, world::TouchAlgorithms algorithms);
+  TouchDetector(const world::Geometry& geometry, world::TouchAlgorithms algorithms);
 
   /// Takes in the next frame and replaces `out` by the touches found in it: of `likelihood`, then of the
   /// others sorted by robot.

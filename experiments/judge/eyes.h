@@ -12,7 +12,7 @@ namespace judge {
 class Eyes {
  public:
   Eyes(const world::Geometry& geometry, const world::RuleSet& rules)
-      : tracker_(geometry, {.ball_in_space = rules.chip_model}), touches_(geometry.field, rules.touch) {}
+      : tracker_(geometry, {.ball_in_space = rules.chip_model}), touches_(geometry, rules.touch) {}
 
   /// @return whether there is a new frame
   bool see(std::span<const world::Detection> images) {

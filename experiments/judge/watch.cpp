@@ -33,7 +33,7 @@ Watch::Watch(const record::MatchConfig& config, const std::vector<ShadowConfig>&
     : model_(host::model_of(config)),
       rules_(host::rules_of(config)),
       laws_(rules_, bands_of(config.realism.preset)),
-      witnesses_(all_witnesses(model_.geometry.field)),
+      witnesses_(all_witnesses(model_.geometry)),
       ours_(acting_name, model_.geometry, rules_) {
   for (const ShadowConfig& shadow : shadows) {
     if (!shadow.command.empty()) {

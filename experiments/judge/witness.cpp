@@ -16,11 +16,11 @@ constexpr std::size_t look_back = 24;   // named touches: more than there are ro
 
 }  // namespace
 
-Witness::Witness(std::string name, const world::Field& field, TouchAlgorithms algorithms)
-    : name_(std::move(name)), field_(field), detector_(std::in_place, field, algorithms) {}
+Witness::Witness(std::string name, const world::Geometry& geometry, TouchAlgorithms algorithms)
+    : name_(std::move(name)), field_(geometry.field), detector_(std::in_place, geometry, algorithms) {}
 
-Witness Witness::nearest(const world::Field& field) {
-  Witness witness("nearest robot", field, {});
+Witness Witness::nearest(const world::Geometry& geometry) {
+  Witness witness("nearest robot", geometry, {});
   witness.detector_.reset();
   return witness;
 }
@@ -74,16 +74,16 @@ void Witness::keep(const world::Touch& touch, bool in_play) {
   named_.push_back({touch.robot, touch.time, touch.time, in_play});
 }
 
-std::vector<Witness> all_witnesses(const world::Field& field) {
+std::vector<Witness> all_witnesses(const world::Geometry& geometry) {
   std::vector<Witness> all;
-  all.emplace_back("accel", field, TouchAlgorithms{.accel = true});
-  all.emplace_back("accel + line", field, TouchAlgorithms{.accel = true, .line = true});
-  all.emplace_back("accel + backtrack", field, TouchAlgorithms{.accel = true, .backtrack = true});
-  all.emplace_back("all three", field, TouchAlgorithms{.accel = true, .line = true, .backtrack = true});
-  all.emplace_back("all three, as coded", field,
+  all.emplace_back("accel", geometry, TouchAlgorithms{.accel = true});
+  all.emplace_back("accel + line", geometry, TouchAlgorithms{.accel = true, .line = true});
+  all.emplace_back("accel + backtrack", geometry, TouchAlgorithms{.accel = true, .backtrack = true});
+  all.emplace_back("all three", geometry, TouchAlgorithms{.accel = true, .line = true, .backtrack = true});
+  all.emplace_back("all three, as coded", geometry,
                    TouchAlgorithms{.accel = true, .line = true, .backtrack = true, .as_coded = true});
-  all.emplace_back("likelihood", field, TouchAlgorithms{.likelihood = true});
-  all.push_back(Witness::nearest(field));
+  all.emplace_back("likelihood", geometry, TouchAlgorithms{.likelihood = true});
+  all.push_back(Witness::nearest(geometry));
   return all;
 }
 

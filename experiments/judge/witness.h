@@ -15,10 +15,10 @@ namespace judge {
 /// paper's Table 8, ours, or the baseline.
 class Witness {
  public:
-  Witness(std::string name, const world::Field& field, world::TouchAlgorithms algorithms);
+  Witness(std::string name, const world::Geometry& geometry, world::TouchAlgorithms algorithms);
   /// The baseline: whoever is nearest to the ball in the last frame in which a robot was within 150 mm of it
   /// (Utama's autoref: reference "football", 4.2).
-  static Witness nearest(const world::Field& field);
+  static Witness nearest(const world::Geometry& geometry);
 
   const std::string& name() const { return name_; }
   void see(const world::TrackedFrame& frame, std::span<const world::Detection> images,
@@ -49,7 +49,7 @@ class Witness {
 
 /// The witnesses of Table 8 and the baseline: accel, with line, with backtrack, all three, likelihood,
 /// nearest robot.
-std::vector<Witness> all_witnesses(const world::Field& field);
+std::vector<Witness> all_witnesses(const world::Geometry& geometry);
 
 /// How many touches of each kind a witness found; both windows of the paper's kind, 0.1 s and 0.3 s.
 struct TouchCount {

@@ -42,7 +42,7 @@ Outcome passage(double speed, double gap, bool yellow_stands_there, std::uint64_
   engine.put_ball(ball);
 
   tracker::Tracker tracker(model.geometry);
-  LastToucher detector(model.geometry.field);
+  LastToucher detector(model.geometry);
   judge::TrueTouches touches;
   std::vector<world::Touch> found;
   Outcome outcome;
@@ -100,7 +100,7 @@ TEST(LastToucher, TellsTimePlaceAndProbabilityOfABounce) {
 }
 
 TEST(LastToucher, SaysNothingWithoutABall) {
-  LastToucher detector{world::Field{}};
+  LastToucher detector{world::Geometry{}};
   std::vector<world::Touch> found;
   world::TrackedFrame frame;
   frame.time = world::tick_time(1);
@@ -110,7 +110,7 @@ TEST(LastToucher, SaysNothingWithoutABall) {
 
 TEST(LastToucher, MakesDoWithTrackedFrames) {
   // No images: a ball comes along x to the hull and bounces back.
-  LastToucher detector{world::Field{}};
+  LastToucher detector{world::Geometry{}};
   std::vector<world::Touch> found;
   std::optional<world::Touch> said;
   for (int k = 0; k < 30; ++k) {

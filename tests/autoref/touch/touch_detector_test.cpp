@@ -43,7 +43,7 @@ std::vector<Report> touches(const Motion& motion, double duration, TouchAlgorith
                             std::uint64_t seed = 1, Told told = Told::Plain, double settle = 0.2) {
   tracker::Tracker tracker{world::Geometry{}};
   Cameras cameras({}, seed);
-  TouchDetector detector(world::Field{}, algorithms);
+  TouchDetector detector(world::Geometry{}, algorithms);
   std::vector<Report> reports;
   std::vector<world::Touch> found;
   const auto ticks = static_cast<std::int64_t>(duration * 60);
@@ -272,7 +272,7 @@ TEST(TouchDetector, BallAtRestBesideARobotIsRarelyTouched) {
 // --- times, memory and order -------------------------------------------------------------------------------
 
 TEST(TouchDetector, BacktrackAndLineDateTheTouchTwoFramesBack) {
-  TouchDetector detector(world::Field{}, only_backtrack);
+  TouchDetector detector(world::Geometry{}, only_backtrack);
   std::vector<world::Touch> out;
   const world::TrackedRobot robot{.id = blue_5};
   std::vector<std::int64_t> reported;
@@ -291,7 +291,7 @@ TEST(TouchDetector, BacktrackAndLineDateTheTouchTwoFramesBack) {
 }
 
 TEST(TouchDetector, AccelDatesTheTouchOneFrameBackAndNamesTheClosest) {
-  TouchDetector detector(world::Field{}, only_accel);
+  TouchDetector detector(world::Geometry{}, only_accel);
   std::vector<world::Touch> out;
   const std::vector<world::TrackedRobot> robots{{.id = yellow_3, .position = {0, 0.118}},
                                                 {.id = blue_5, .position = {0, -0.113}}};
@@ -306,7 +306,7 @@ TEST(TouchDetector, AccelDatesTheTouchOneFrameBackAndNamesTheClosest) {
 
 TEST(TouchDetector, ReachNeedsThreeFramesOfMovingTogether) {
   const auto count = [](double ball_speed, double gap) {
-    TouchDetector detector(world::Field{}, only_reach);
+    TouchDetector detector(world::Geometry{}, only_reach);
     std::vector<world::Touch> out;
     int first = 0;
     for (int k = 1; k <= 6 && first == 0; ++k) {
@@ -327,7 +327,7 @@ TEST(TouchDetector, ReachNeedsThreeFramesOfMovingTogether) {
 
 TEST(TouchDetector, GapsAndTeleportsAreNoHistory) {
   for (const bool teleport : {true, false}) {
-    TouchDetector detector(world::Field{}, all);
+    TouchDetector detector(world::Geometry{}, all);
     std::vector<world::Touch> out;
     const world::TrackedRobot robot{.id = blue_5};
     for (int k = 0; k < 3; ++k) detector.update(frame_at(k + 1, {1 + 0.01 * k, 0}, {robot}), out);
@@ -341,7 +341,7 @@ TEST(TouchDetector, GapsAndTeleportsAreNoHistory) {
 }
 
 TEST(TouchDetector, RobotThatAppearsStartsItsOwnHistory) {
-  TouchDetector detector(world::Field{}, only_backtrack);
+  TouchDetector detector(world::Geometry{}, only_backtrack);
   std::vector<world::Touch> out;
   const world::TrackedRobot robot{.id = blue_5};
   for (int k = 0; k < 6; ++k) {
@@ -353,7 +353,7 @@ TEST(TouchDetector, RobotThatAppearsStartsItsOwnHistory) {
 }
 
 TEST(TouchDetector, NoBallNoTouchAndNoCrash) {
-  TouchDetector detector(world::Field{}, all);
+  TouchDetector detector(world::Geometry{}, all);
   std::vector<world::Touch> out(3);
   world::TrackedFrame frame;
   detector.update(frame, out);

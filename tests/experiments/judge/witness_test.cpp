@@ -11,7 +11,7 @@ world::Time at(double seconds) { return world::Time{world::from_seconds(seconds)
 
 /// The baseline names the robot whenever the ball is within 150 mm of it.
 Witness nearest_while(const std::vector<std::pair<double, bool>>& frames) {
-  Witness witness = Witness::nearest(world::Field{});
+  Witness witness = Witness::nearest(world::Geometry{});
   world::GameState state;
   state.location = world::Location::GameOn;
   for (const auto& [time, near] : frames) {
@@ -46,7 +46,7 @@ TEST(Witness, JoinsWhatItNamesWithoutAPause) {
 }
 
 TEST(Witness, KnowsTheKickerFromTheReferee) {
-  Witness witness = Witness::nearest(world::Field{});
+  Witness witness = Witness::nearest(world::Geometry{});
   world::GameState state;
   state.location = world::Location::GameOn;
   state.location_time = at(2);
