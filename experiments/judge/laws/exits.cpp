@@ -169,6 +169,8 @@ LastTouch Exits::last_touch(const Moment& moment, const TrueTouches::Contact& co
   last.chip = touch.highest > robot_height;
   last.crowded = crowd_touch_ == contact.touch && crowded_;
   last.at_line = moment.now.time - contact.time < at_line;
+  last.impulse = touch.impulse;
+  last.alone = moment.touches.alone(contact);
   last.lost = longest_unseen(contact.time);
   return last;
 }
