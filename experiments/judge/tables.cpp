@@ -5,7 +5,7 @@
 namespace judge {
 
 Wanted wanted_of(std::string_view preset) {
-  if (preset == "harsh") return {.exits = 1000, .last_team = 0.97};
+  if (preset == "harsh") return {.exits = 1000, .last_team = 0.97, .all_goals = false};
   return {};
 }
 

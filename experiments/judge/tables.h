@@ -25,6 +25,7 @@ struct Wanted {
   int events = 200;  ///< of every other row
   int near_misses = 200;
   double last_team = 0.99;  ///< right, of clear exits
+  bool all_goals = true;    ///< else only that one is asked for
   double extra_exits = 1;   ///< at most, in 1000
   double event = 0.95;      ///< precision and recall of every other event
   double p = 0.01;          ///< the likelihood against all three

@@ -25,18 +25,25 @@ class Goals {
   /// @param few  what there is too little of; empty: there is enough
   void add(const std::string& goal, const std::string& asked, const std::string& got, bool reached,
            const std::string& few) {
+    if (!asked_) {
+      rows.push_back({goal, "", got, ""});
+      return;
+    }
     const std::string answer = reached ? "yes" : "no";
-    rows.push_back({goal, asked, got, few.empty() ? answer : answer + ", of " + few});
+    rows.push_back({goal, asked, got, few.empty() ? answer : answer + " (" + few + ")"});
     (reached ? yes_ : no_).push_back(goal);
     few_ = few_ || !few.empty();
   }
   /// Nothing of that kind happened.
   void unknown(const std::string& goal, const std::string& asked) {
-    rows.push_back({goal, asked, "none happened", "not known"});
-    not_known_.push_back(goal);
+    rows.push_back({goal, asked_ ? asked : "", "none happened", asked_ ? "not known" : ""});
+    if (asked_) not_known_.push_back(goal);
   }
+  /// From now on numbers are only told.
+  void ask_no_more() { asked_ = false; }
   std::string words() const {
-    std::string text = fmt::format("{} of {} goals reached.", yes_.size(), rows.size());
+    std::string text =
+        fmt::format("{} of {} goals reached.", yes_.size(), yes_.size() + no_.size() + not_known_.size());
     if (!no_.empty()) text += " Not reached: " + joined(no_) + ".";
     if (!not_known_.empty()) text += " Not known: " + joined(not_known_) + ".";
     if (few_) text += " Too few games for the study: where it says so, the number may be chance.";
@@ -47,6 +54,7 @@ class Goals {
  private:
   std::vector<std::string> yes_, no_, not_known_;
   bool few_ = false;
+  bool asked_ = true;
 };
 
 void add_exits(std::span<const GameResult> games, const Wanted& wanted, Goals& goals) {
@@ -57,17 +65,20 @@ void add_exits(std::span<const GameResult> games, const Wanted& wanted, Goals& g
   const int called = exits.correct + exits.wrong;
   if (exits.clear == 0) {
     goals.unknown("last team", team);
+    if (!wanted.all_goals) goals.ask_no_more();
     goals.unknown("missed exits", "none");
     goals.unknown("extra exits", extra);
     return;
   }
   goals.add("last team", team, share(exits.correct, called), part(exits.correct, called) >= wanted.last_team,
             few);
+  if (!wanted.all_goals) goals.ask_no_more();
   goals.add("missed exits", "none", fmt::format("{} of {}", exits.all_missed(), exits.all()),
             exits.all_missed() == 0, few);
-  goals.add("extra exits", extra,
-            fmt::format("{} and {} chips: {:.2f}", exits.extra, exits.chip, exits.extra_in_1000()),
-            exits.extra_in_1000() <= wanted.extra_exits, few);
+  goals.add(
+      "extra exits", extra,
+      fmt::format("{} and {} in the air: {:.2f} in 1000", exits.extra, exits.chip, exits.extra_in_1000()),
+      exits.extra_in_1000() <= wanted.extra_exits, few);
 }
 
 void add_goals(std::span<const GameResult> games, const Wanted& wanted, Goals& goals) {

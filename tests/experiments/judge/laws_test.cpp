@@ -132,6 +132,21 @@ TEST(Goals, AreBetweenThePostsAndUnderTheBar) {
   }
 }
 
+TEST(Goals, AreAlmostChipsWhenTheBallWasNearlyTooHigh) {
+  // Tops at 141.5 mm, 101.5 mm and 43 mm, which is a ball that rolls: of the limit of 150 mm.
+  for (const double z : {0.12, 0.08, Story::radius}) {
+    const double below = (0.15 - z - Story::radius) / 0.04;
+    const auto goals = shot(0, z, Event::Goal);
+    ASSERT_EQ(goals.size(), 1u) << z;
+    EXPECT_EQ(goals[0].close(), below < 1) << z;
+    const auto chips = shot(0, z, Event::ChippedGoal);
+    ASSERT_EQ(chips.size(), below < 2 ? 1u : 0u) << z;
+    if (!chips.empty()) {
+      EXPECT_NEAR(chips[0].margin, -below, exact);
+    }
+  }
+}
+
 TEST(Goals, DoNotCountWhenTheBallWasTooHigh) {
   // Top at 141.5 mm and at 151.5 mm: the law says 150 mm; under the bar both.
   EXPECT_EQ(shot(0, 0.12, Event::Goal).size(), 1u);
@@ -155,7 +170,7 @@ TEST(Goals, CountAfterATeamMateTouchedTheBallLowOrItRolled) {
     story.ball.velocity.setZero();
     story.tick(40);
     EXPECT_EQ(story.told(Event::Goal).size(), 1u) << team_mate;
-    EXPECT_TRUE(story.told(Event::ChippedGoal).empty()) << team_mate;
+    for (const TrueEvent& chip : story.told(Event::ChippedGoal)) EXPECT_FALSE(chip.happened()) << team_mate;
   }
 }
 
@@ -482,6 +497,20 @@ TEST(Areas, TellAClearOffenceBesideANearMissAndOneForAllAtOnce) {
   }
 }
 
+TEST(Areas, TellTouchesLessThanThreeTenthsOfASecondApartOnce) {
+  for (const int pause : {12, 24}) {  // 0.2 s and 0.4 s
+    Story story;
+    story.state.keeper = {0, 0};
+    story.robot(blue(3), {3.9, 0});
+    story.ball.position = {4.0, 0, Story::radius};
+    story.touch(blue(3));
+    story.tick(pause);
+    story.touch(blue(3));
+    story.tick(30);
+    EXPECT_EQ(story.told(Event::DefenderInArea).size(), pause == 12 ? 1u : 2u) << pause;
+  }
+}
+
 TEST(Areas, AreForTheGoalieAlone) {
   // Blue's area is 1 m deep in the middle: from x = 3.5 on.
   for (const int number : {0, 3}) {
@@ -556,6 +585,27 @@ TEST(Contacts, WithTheGoalieCountByHowLongTheyLastAndMissesByTheGap) {
   ASSERT_EQ(near.size(), 1u);
   EXPECT_NEAR(near[0].margin, -0.03 / 0.04, exact);
   EXPECT_TRUE(at_the_goalie(0.09, 30).empty());
+}
+
+TEST(Contacts, EndTwentyMillimetresApart) {
+  for (const double gap : {0.015, 0.05}) {
+    Story story;
+    story.robot(yellow(1), {-0.6, 0}, {2, 0});
+    story.robot(blue(1), {0, 0});
+    for (int meeting = 0; meeting < 2; ++meeting) {
+      story.robot(yellow(1)).velocity = {2, 0};
+      story.tick(meeting == 0 ? 13 : 2);  // the hulls meet
+      story.robot(yellow(1)).velocity.setZero();
+      story.robot(yellow(1)).position.x() = -0.18;
+      story.tick(2);
+      story.robot(yellow(1)).position.x() = -0.18 - gap;
+      story.tick(2);
+    }
+    story.robot(yellow(1)).position.x() = -1;
+    story.tick(2);
+    const auto hits = story.told(Event::Collision);
+    EXPECT_EQ(std::ranges::count_if(hits, &TrueEvent::happened), gap < 0.02 ? 1 : 2) << gap;
+  }
 }
 
 TEST(Stops, KnowASpeedOnlyWhenItLasts) {

@@ -202,21 +202,23 @@ TEST(Tables, SummarizeWhatIsReached) {
   GameResult result = game();
   for (int n = 0; n < 100; ++n) result.cases.push_back(exit_case(n >= 10, n < 99, 0.9));  // 0.99 exactly
   const auto reached = tables({&result, 1});
-  EXPECT_EQ(row_of(reached, "summary", "last team")[3], "yes, of too few clear exits");
-  EXPECT_EQ(row_of(reached, "summary", "extra exits")[3], "yes, of too few clear exits");
+  EXPECT_EQ(row_of(reached, "summary", "last team")[3], "yes (too few clear exits)");
+  EXPECT_EQ(row_of(reached, "summary", "extra exits")[3], "yes (too few clear exits)");
   EXPECT_EQ(row_of(reached, "summary", "missed goals")[3], "not known");
   // 10 : 1 discordant, exact binomial: 2 (1 + 11) / 2048.
   EXPECT_EQ(row_of(reached, "summary", "likelihood")[2], "p = 0.012 (10:1)");
-  EXPECT_EQ(row_of(reached, "summary", "likelihood")[3], "no, of too few clear exits");
+  EXPECT_EQ(row_of(reached, "summary", "likelihood")[3], "no (too few clear exits)");
   result.cases.push_back(exit_case(true, false, 0.9));
   Case false_goal{acting_name, Event::Goal, Result::Extra};
   false_goal.call.emplace();
   result.cases.push_back(false_goal);
   const auto not_reached = tables({&result, 1});
-  EXPECT_EQ(row_of(not_reached, "summary", "last team")[3], "no, of too few clear exits");
+  EXPECT_EQ(row_of(not_reached, "summary", "last team")[3], "no (too few clear exits)");
   EXPECT_THAT(table(not_reached, "summary").note, HasSubstr("Not reached: last team; false goals"));
   result.preset = "harsh";  // 0.97 asked
-  EXPECT_EQ(row_of(tables({&result, 1}), "summary", "last team")[3], "yes, of too few clear exits");
+  const auto harsh = tables({&result, 1});
+  EXPECT_EQ(row_of(harsh, "summary", "last team")[3], "yes (too few clear exits)");
+  EXPECT_EQ(row_of(harsh, "summary", "false goals")[3], "") << "not asked for";
 }
 
 TEST(Tables, NameEveryColumnOnce) {
