@@ -9,7 +9,8 @@ Table goals_table(std::span<const GameResult> games, const Wanted& wanted) {
       "c) Goals (the paper's Table 9)",
       "True goals count; a chip goal does not, where the rule set knows it: it is a true chip goal, and "
       "found when it is called one. False goal from a chip: called a goal while the ball was in the air "
-      "and no goal was made. Close: less than a band behind the line, under the bar or from a chip. Delay of goals: "
+      "and no goal was made. Close: less than a band behind the line, under the bar or from a chip. Delay of "
+      "goals: "
       "median and 95 % in ms.",
       {"referee", "true goals", "goals called", "goals missed", "false goals", "false goals from chips",
        "recall", "precision", "close goals", "true chip goals", "chip goals called", "chip goals missed",
