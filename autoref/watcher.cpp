@@ -57,6 +57,7 @@ void Watcher::follow(const world::RefereeMessage& message) {
 
   const CommandKind before = state_.command.kind;
   state_.command = message.command;
+  state_.command_time = state_.time - (message.time - message.command_time);  // the clocks may differ
   if (world::has_team(message.command.kind)) state_.kick_team = message.command.team;
   state_.reset_position = message.designated_position;
   state_.kicker.reset();

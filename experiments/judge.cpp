@@ -299,12 +299,15 @@ int judge(const JudgeOptions& options) {
   const std::string command = shell_line(options.command_line);
   std::int64_t ticks = 0;
   for (const judge::GameResult& game : games) ticks += game.ticks;
+  const double minutes = static_cast<double>(ticks) / world::ticks_per_second / 60;
+  const std::string played =
+      minutes < 90 ? fmt::format("{:.0f} min", minutes) : fmt::format("{:.1f} h", minutes / 60);
   const std::string intro = fmt::format(
-      "# The referee against the truth: {}\n\n{} of {} games, {:.1f} h simulated, rule set {}, realism {}.\n"
+      "# The referee against the truth: {}\n\n{} of {} games, {} simulated, rule set {}, realism {}.\n"
       "Made by `{}`; how to make it again: manifest.json. Failing cases: failures.csv.\n"
       "Who stands where at penalty kicks and in shoot-outs is not judged.\n\n",
-      design.name, games.size(), judging.count(), static_cast<double>(ticks) / world::ticks_per_second / 3600,
-      design.rules, record::text(design.conditions.front().realism), command);
+      design.name, games.size(), judging.count(), played, design.rules,
+      record::text(design.conditions.front().realism), command);
   const std::vector<judge::Table> tables = judge::tables(games, command);
   write_tables(judging.folder(), games, tables, intro);
   if (signal) {

@@ -217,10 +217,10 @@ void add_judge(CLI::App& main, commands::JudgeOptions& options) {
   app.add_option("--games", options.games, "only so many of its games")->check(CLI::Range(1, 1000000));
   app.add_option("--workers", options.workers, "games at a time; default: one per processor")
       ->check(CLI::Range(1, 1024));
-  app.add_option(
-         "--shadow", options.shadows,
-         "compare another referee too, as rules=paper, touch=accel+line or vision.ball_sigma=0.002, or an "
-         "outside autoref, net:COMMAND; may be repeated")
+  app.add_option("--shadow", options.shadows,
+                 "compare another referee too, as touch=accel+line or vision.ball_sigma=0.002, or an outside "
+                 "autoref, "
+                 "net:COMMAND; may be repeated; rules=paper, the paper's referee, is always compared")
       ->allow_extra_args(false);
   app.add_option("--net-speed", options.net_speed, "pace of outside autorefs, in real times")
       ->check(CLI::Range(0.1, 100.0))

@@ -29,6 +29,7 @@ std::string sentence(const Case& one) {
       text += fmt::format(", {} {:.2f} s earlier{}{}{}", name(truth.last->kind),
                           world::seconds(truth.time - truth.last->time), truth.last->chip ? ", chip" : "",
                           truth.last->crowded ? ", crowded" : "", truth.over_goal ? ", over the goal" : "");
+      if (truth.ambiguous) text += ", ambiguous";
       if (truth.last->lost > 0) text += fmt::format(", ball lost for {} ticks", truth.last->lost);
     }
   } else {
@@ -48,11 +49,16 @@ std::vector<Failure> failures(std::span<const GameResult> games, const std::stri
   for (const Event event : all_events()) {
     for (const GameResult& game : games) {
       for (const Case& one : game.cases) {
-        if (one.shadow != shadow || one.event != event || one.close() || one.ambiguous()) continue;
+        if (one.shadow != shadow || one.event != event || one.close()) continue;
+        // Of an exit or a goal that was missed it does not matter who touched last.
+        const bool leaves = event == Event::Exit || event == Event::Goal;
+        if (one.ambiguous() && !(leaves && one.result == Result::Missed)) continue;
         const bool wrong_team = event == Event::Exit && one.result == Result::Found && !one.team_is_right();
-        if (one.result == Result::Found && !wrong_team) continue;
+        if (one.result == Result::Found && !wrong_team && !one.late()) continue;
         const double tick = world::seconds(one.time()) * world::ticks_per_second;
-        const std::string what = wrong_team ? "last touch wrong" : std::string(name(one.result));
+        const std::string what = wrong_team   ? "last touch wrong"
+                                 : one.late() ? "late"
+                                              : std::string(name(one.result));
         double before = 2.0;  // [s]
         if (one.truth && one.truth->last) {
           before = std::clamp(world::seconds(one.time() - one.truth->last->time) + 1, before, longest_before);

@@ -17,7 +17,7 @@ struct Failure {
   std::string game, shadow, event, what;
   std::int64_t first_tick = 0, last_tick = 0;  ///< two seconds before, or the last touch, to one after
 };
-/// Of `shadow`, outside the bands, in order of event and game.
+/// Of `shadow`: missed, late, extra, last touch wrong; outside the bands, in order of event and game.
 std::vector<Failure> failures(std::span<const GameResult> games, const std::string& shadow);
 std::string as_csv(std::span<const Failure> failures);
 

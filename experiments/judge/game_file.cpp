@@ -73,7 +73,8 @@ Case case_in(const Json& json) {
 
 Json json_of(const TouchCount& count) {
   return {{"witness", count.witness}, {"window", count.window}, {"found", count.found},
-          {"missed", count.missed},   {"extra", count.extra},   {"again", count.again}};
+          {"missed", count.missed},   {"extra", count.extra},   {"own", count.own},
+          {"again", count.again}};
 }
 
 std::string whole_file(const std::filesystem::path& file) {
@@ -127,10 +128,10 @@ GameResult game_from_json(const std::string& text, const std::string& name) {
     result.close = head.at("close").get<std::array<int, event_count>>();
     result.near_misses = head.at("near_misses").get<std::array<int, event_count>>();
     for (const Json& count : head.at("touches")) {
-      result.touches.push_back({count.at("witness").get<std::string>(), count.at("window").get<double>(),
-                                count.at("found").get<std::array<int, kinds>>(),
-                                count.at("missed").get<std::array<int, kinds>>(),
-                                count.at("extra").get<int>(), count.at("again").get<int>()});
+      result.touches.push_back(
+          {count.at("witness").get<std::string>(), count.at("window").get<double>(),
+           count.at("found").get<std::array<int, kinds>>(), count.at("missed").get<std::array<int, kinds>>(),
+           count.at("extra").get<int>(), count.at("own").get<int>(), count.at("again").get<int>()});
     }
     while (std::getline(stream, words)) {
       ++line;

@@ -30,6 +30,7 @@ Json json_of(const TrueEvent& truth) {
   Json json;
   json["time"] = ns(truth.time);
   if (truth.until) json["until"] = ns(*truth.until);
+  if (truth.clear) json["clear"] = ns(*truth.clear);
   json["margin"] = truth.margin;
   json["value"] = truth.value;
   if (truth.by) json["by"] = text_of(*truth.by);
@@ -45,6 +46,8 @@ Json json_of(const TrueEvent& truth) {
   if (truth.last->chip) last["chip"] = true;
   if (truth.last->crowded) last["crowded"] = true;
   if (truth.last->at_line) last["at_line"] = true;
+  last["impulse"] = truth.last->impulse;
+  last["alone"] = truth.last->alone;
   last["lost"] = truth.last->lost;
   json["last"] = std::move(last);
   return json;
@@ -55,6 +58,7 @@ TrueEvent truth_in(const Json& json, Event event) {
   truth.event = event;
   truth.time = time_in(json.at("time"));
   if (json.contains("until")) truth.until = time_in(json.at("until"));
+  if (json.contains("clear")) truth.clear = time_in(json.at("clear"));
   truth.margin = json.at("margin").get<double>();
   truth.value = json.at("value").get<double>();
   if (json.contains("by")) truth.by = robot_in(json.at("by").get<std::string>());
@@ -73,6 +77,8 @@ TrueEvent truth_in(const Json& json, Event event) {
   last.chip = its.value("chip", false);
   last.crowded = its.value("crowded", false);
   last.at_line = its.value("at_line", false);
+  last.impulse = its.at("impulse").get<double>();
+  last.alone = its.at("alone").get<double>();
   last.lost = its.at("lost").get<int>();
   truth.last = last;
   return truth;

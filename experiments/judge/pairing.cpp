@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace judge {
@@ -30,7 +31,9 @@ std::string_view name(Result result) {
   return names[static_cast<std::size_t>(result)];
 }
 
-double match_window(Event event) { return event == Event::NoProgress ? 1.0 : 0.3; }
+bool Case::late() const {
+  return truth && call && truth->clear && call->time > *truth->clear + world::from_seconds(match_window);
+}
 
 std::vector<Case> pair(const std::string& shadow, std::vector<TrueEvent> truth,
                        const std::vector<Call>& calls, const world::RuleSet& rules) {
@@ -54,18 +57,20 @@ std::vector<Case> pair(const std::string& shadow, std::vector<TrueEvent> truth,
     std::ranges::stable_sort(called, {}, &Call::time);
     struct Pair {
       int rank;
-      double apart;
+      bool other_robot;
+      double apart;  // from its beginning
       std::size_t truth, call;
     };
     std::vector<Pair> pairs;
     for (std::size_t t = 0; t < happened.size(); ++t) {
       for (std::size_t c = 0; c < called.size(); ++c) {
-        const double apart = distance(*happened[t], called[c]->time);
-        if (apart <= match_window(event)) pairs.push_back({rank(*happened[t]), apart, t, c});
+        if (distance(*happened[t], called[c]->time) > match_window) continue;
+        pairs.push_back({rank(*happened[t]), happened[t]->by != called[c]->by,
+                         std::abs(world::seconds(called[c]->time - happened[t]->time)), t, c});
       }
     }
     std::ranges::stable_sort(pairs, [](const Pair& a, const Pair& b) {
-      return std::pair(a.rank, a.apart) < std::pair(b.rank, b.apart);
+      return std::tuple(a.rank, a.other_robot, a.apart) < std::tuple(b.rank, b.other_robot, b.apart);
     });
     std::vector<bool> truth_used(happened.size());
     std::vector<bool> call_used(called.size());
@@ -85,7 +90,7 @@ std::vector<Case> pair(const std::string& shadow, std::vector<TrueEvent> truth,
       if (call_used[c] || called[c]->late) continue;
       Case extra{shadow, event, Result::Extra, std::nullopt, *called[c]};
       for (const TrueEvent& other : truth) {
-        if (std::abs(world::seconds(other.time - called[c]->time)) > match_window(event)) continue;
+        if (std::abs(world::seconds(other.time - called[c]->time)) > match_window) continue;
         if (other.event != event && !other.happened()) continue;
         extra.remark += (extra.remark.empty() ? "" : ", ") + std::string(judge::name(other.event)) +
                         (other.happened() ? "" : " nearly");

@@ -26,18 +26,20 @@ struct Case {
   /// So near to the limit that nobody can be blamed.
   bool close() const { return truth && truth->close(); }
   bool ambiguous() const { return truth && truth->ambiguous; }
+  /// Called only when what lasted had been clear for longer than the window: neither found nor extra.
+  bool late() const;
   bool team_is_right() const {
     return truth && truth->last && call && call->last && call->last->robot.team == truth->last->robot.team;
   }
   world::Time time() const { return truth ? truth->time : call->time; }
 };
 
-/// Greatest distance in time between an event and the call of it [s]: the paper's 0.3 s. A lack of progress
-/// is told in whole seconds, so it may be called a second off.
-double match_window(Event event);
+/// Greatest distance in time between an event and the call of it [s]: the paper's.
+inline constexpr double match_window = 0.3;
 
-/// One to one, nearest in time first: clear events before those close to their limit, these before near
-/// misses. Calls that are left are extra, events that are left were missed, but neither of them after the
+/// One to one within the window; what lasts may be called as long as it does. Clear events come before those
+/// close to their limit, and these before near misses; then calls of the right robot; then the nearest in
+/// time. Calls that are left are extra, events that are left were missed, but neither of them after the
 /// acting referee's whistle; near misses that are left are no cases.
 std::vector<Case> pair(const std::string& shadow, std::vector<TrueEvent> truth,
                        const std::vector<Call>& calls, const world::RuleSet& rules);

@@ -5,14 +5,16 @@
 namespace judge {
 
 Wanted wanted_of(std::string_view preset) {
-  if (preset == "harsh") return {.exits = 1000};
+  if (preset == "harsh") return {.exits = 1000, .last_team = 0.97, .all_goals = false};
   return {};
 }
 
 std::vector<Table> tables(std::span<const GameResult> games, const std::string& command) {
   const Wanted wanted = wanted_of(games.empty() ? "" : games.front().preset);
-  std::vector<Table> all = {exits_table(games, wanted),
+  std::vector<Table> all = {summary_table(games, wanted),
+                            exits_table(games, wanted),
                             situations_table(games),
+                            failing_exits_table(games),
                             touch_teams_table(games, wanted),
                             goals_table(games, wanted),
                             events_table(games, wanted, true),

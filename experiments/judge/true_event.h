@@ -18,6 +18,8 @@ struct LastTouch {
   bool chip = false;     ///< the ball was higher than a robot since
   bool crowded = false;  ///< robots of both teams within 150 mm of the ball then
   bool at_line = false;  ///< less than two ticks before the ball was out
+  double impulse = 0;    ///< [N s] of the whole touch
+  double alone = 1e9;    ///< [s] since the other team's last contact
   int lost = 0;  ///< [ticks] longest stretch in which no camera saw the ball, from the touch to the exit
 };
 
@@ -25,7 +27,8 @@ struct LastTouch {
 struct TrueEvent {
   Event event{};
   world::Time time;
-  std::optional<world::Time> until{};  ///< it lasted: a call in this time is in time
+  std::optional<world::Time> until{};  ///< it lasted: a call in this time is none of nothing
+  std::optional<world::Time> clear{};  ///< of what lasted: since then a band beyond its limit
   double margin = 0;  ///< how far beyond its limit, in bands; negative: it stayed within, by so much
   double value = 0;   ///< what was measured [SI]
   std::optional<world::RobotId> by{};

@@ -90,4 +90,14 @@ bool TrueTouches::ambiguous(const Contact& contact) const {
   });
 }
 
+double TrueTouches::alone(const Contact& contact) const {
+  const world::Team team = all_[contact.touch].robot.team;
+  for (auto it = recent_.rbegin(); it != recent_.rend(); ++it) {
+    if (it->time <= contact.time && all_[it->touch].robot.team != team) {
+      return world::seconds(contact.time - it->time);
+    }
+  }
+  return 1e9;
+}
+
 }  // namespace judge

@@ -57,6 +57,9 @@ class TrueTouches {
   const Contact* last_at(world::Time time) const;
   /// Whether robots of both teams touched within one tick up to that contact.
   bool ambiguous(const Contact& contact) const;
+  /// How long before that contact the other team had its last one [s]; 1e9 when it is longer ago than the
+  /// contacts that are remembered.
+  double alone(const Contact& contact) const;
   /// Those of the last frame, in order of time.
   const std::vector<Contact>& fresh() const { return fresh_; }
 

@@ -124,6 +124,13 @@ TouchCount count_touches(const std::deque<TrueTouch>& truth, const Witness& witn
     if (found[pair.touch] || (named_used[pair.named] && !overlap)) continue;
     named_used[pair.named] = found[pair.touch] = true;
   }
+  std::vector<bool> stands(witness.named().size());
+  std::vector<bool> has_own(truth.size());
+  for (const Pair& pair : pairs) {
+    if (has_own[pair.touch] || stands[pair.named]) continue;
+    stands[pair.named] = has_own[pair.touch] = true;
+    count.own += truth[pair.touch].in_play;
+  }
   for (std::size_t n = 0; n < truth.size(); ++n) {
     if (!truth[n].in_play) continue;
     ++(found[n] ? count.found : count.missed)[static_cast<std::size_t>(truth[n].kind())];

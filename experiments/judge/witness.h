@@ -58,6 +58,7 @@ struct TouchCount {
   std::array<int, kinds> found{};
   std::array<int, kinds> missed{};
   int extra = 0;  ///< named, and none there
+  int own = 0;    ///< true ones with a named one that stands for no other
   int again = 0;  ///< named once more within a touch that was found
 };
 /// A named touch stands for every true one of the same robot that it overlaps (contact that lasts is named

@@ -1,11 +1,6 @@
 // An outside autoref, as simple as can be: it finds the game controller by the referee's packets, registers,
 // and reports every ball that is outside the lines in three images running while it is in play.
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -13,10 +8,9 @@
 #include <string>
 
 #include "sim/network/udp.h"
-#include "sim/proto/autoref.pb.h"
 #include "sim/proto/referee.pb.h"
 #include "sim/proto/vision.pb.h"
-#include "sim/wire/delimited.h"
+#include "tests/fakes/controller.h"
 
 namespace {
 
@@ -24,56 +18,6 @@ namespace proto = matchday::referee;
 
 constexpr double reach = 0.13;  // [m] centre of a robot to a ball that it may have touched
 constexpr int images_outside = 3;
-constexpr std::uint16_t port = 10007;
-
-/// The controller's port, by TCP.
-class Controller {
- public:
-  explicit Controller(const std::string& host) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(port);
-    ::inet_pton(AF_INET, host.c_str(), &address.sin_addr);
-    if (::connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address) != 0) {
-      throw std::runtime_error("fake-autoref: cannot connect to " + host);
-    }
-    expect_ok();
-    proto::AutoRefRegistration registration;
-    registration.set_identifier("fake-autoref");
-    send(registration);
-  }
-  ~Controller() { ::close(socket_); }
-  Controller(const Controller&) = delete;
-  Controller& operator=(const Controller&) = delete;
-
-  void send(const google::protobuf::MessageLite& message) {
-    std::string bytes;
-    wire::append_frame(bytes, message);
-    if (::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(bytes.size())) {
-      throw std::runtime_error("fake-autoref: the controller is gone");
-    }
-    expect_ok();
-  }
-
- private:
-  void expect_ok() {
-    while (true) {
-      if (const auto frame = frames_.next()) {
-        proto::ControllerToAutoRef reply;
-        reply.ParseFromArray(frame->data(), static_cast<int>(frame->size()));
-        if (reply.controller_reply().status_code() == proto::ControllerReply::OK) return;
-        throw std::runtime_error("fake-autoref: refused: " + reply.controller_reply().reason());
-      }
-      std::byte bytes[512];
-      const ssize_t size = ::recv(socket_, bytes, sizeof bytes, 0);
-      if (size <= 0) throw std::runtime_error("fake-autoref: the controller is gone");
-      frames_.append(std::span(bytes).first(static_cast<std::size_t>(size)));
-    }
-  }
-
-  int socket_;
-  wire::FrameReader frames_;
-};
 
 class Autoref {
  public:
@@ -143,14 +87,14 @@ void run() {
   network::UdpSocket vision = network::UdpSocket::multicast_receiver({"224.5.23.2", 10006}, "127.0.0.1");
   network::UdpSocket referee = network::UdpSocket::multicast_receiver({"224.5.23.1", 10003}, "127.0.0.1");
   network::UdpSocket* const both[] = {&vision, &referee};
-  std::optional<Controller> controller;
+  std::optional<fakes::Controller> controller;
   Autoref autoref;
   proto::Referee message;
   matchday::vision::SSL_WrapperPacket packet;
   while (true) {
     network::wait(both, network::Clock::now() + std::chrono::seconds{1});
     while (const auto datagram = referee.receive()) {
-      if (!controller) controller.emplace(datagram->sender.host);
+      if (!controller) controller.emplace(datagram->sender.host, "fake-autoref");
       if (message.ParsePartialFromArray(datagram->bytes.data(), static_cast<int>(datagram->bytes.size()))) {
         autoref.hear(message);
       }

@@ -3,27 +3,17 @@
 namespace judge {
 namespace {
 
-constexpr world::Duration same_offence = std::chrono::seconds{2};
+constexpr world::Duration same_offence = std::chrono::milliseconds{300};  // the window of matching
 constexpr world::Duration let_go = std::chrono::milliseconds{500};
 constexpr double at_hull = 0.005;  // [m]
 
-}  // namespace
-
-namespace {
-
-/// Whether another robot, also of the same team, touched the ball within a tick before or in this tick: then
-/// nobody outside can say which of them did.
-bool among_others(const Moment& moment, const TrueTouches::Contact& contact) {
-  const auto other = [&](const TrueTouches::Contact& one) {
-    return moment.touches[one.touch].robot != moment.touches[contact.touch].robot;
-  };
-  if (std::ranges::any_of(moment.touches.fresh(), other)) return true;
-  return std::ranges::any_of(
-      moment.touches.all().rbegin(),
-      moment.touches.all().rbegin() + std::min<std::ptrdiff_t>(6, std::ssize(moment.touches.all())),
-      [&](const TrueTouch& touch) {
-        return touch.robot != moment.touches[contact.touch].robot && contact.time - touch.end <= one_tick;
-      });
+/// Whether an opponent touched the ball within a tick before or in this tick.
+bool among_opponents(const Moment& moment, const TrueTouches::Contact& contact) {
+  const world::Team team = moment.touches[contact.touch].robot.team;
+  return moment.touches.ambiguous(contact) ||
+         std::ranges::any_of(moment.touches.fresh(), [&](const TrueTouches::Contact& other) {
+           return moment.touches[other.touch].robot.team != team;
+         });
 }
 
 }  // namespace
@@ -32,10 +22,10 @@ void Areas::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   const world::Field& field = moment.rules.field;
   const bool play = moment.in_play() && moment.outside(moment.now.ball) <= 0;
   for (Open& open : open_) {
-    if (open.worst && (!play || moment.now.time - moment.touches[*open.touch].end > TrueTouches::apart)) {
+    if (open.worst && (!play || moment.now.time - moment.touches[open.touch].end > TrueTouches::apart)) {
       finish(open, out);
     }
-    if (moment.in_play() && moment.entered) open.reported.reset();
+    if (moment.in_play() && moment.entered) open.told.reset();
   }
   if (!play) return;
   for (const TrueTouches::Contact& contact : moment.touches.fresh()) {
@@ -46,43 +36,48 @@ void Areas::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     for (std::size_t n = 0; n < open_.size(); ++n) {
       const bool defender = n == 0;
       if (defender && touch.robot.number == moment.state.keeper[touch.robot.team]) continue;
-      const Event kind = defender ? Event::DefenderInArea : Event::AttackerInArea;
-      Open& open = open_[n];
       const world::Side side = defender ? own : world::other(own);
       const double depth = field.robot_radius - world::distance_to_defense_area(field, side, robot->position);
       const double margin = depth / moment.bands.length;
       if (margin <= -near_bands) continue;
-      if (open.worst && open.touch != contact.touch) continue;
-      const bool among = among_others(moment, contact);
-      if (open.worst && margin > 0 && open.worst->happened()) {
-        open.worst->until = contact.time;
-        open.worst->ambiguous = open.worst->ambiguous && among;
-      }
-      if (open.worst && open.worst->margin >= margin) continue;
-      if (open.reported && contact.time - *open.reported < same_offence) {
-        const auto same = std::ranges::find(out.rbegin(), out.rend(), kind, &TrueEvent::event);
-        if (same != out.rend() && same->by == touch.robot && margin > 0) same->until = contact.time;
+      Open& open = open_[n];
+      const Event kind = defender ? Event::DefenderInArea : Event::AttackerInArea;
+      if (open.told && contact.time - *open.told < same_offence) {
+        open.told = contact.time;
+        std::ranges::find(out.rbegin(), out.rend(), kind, &TrueEvent::event)->until = contact.time;
         continue;
       }
+      if (open.worst && open.touch != contact.touch) {
+        // A near miss or a close one hides no clear one.
+        const bool more = margin >= 1 ? open.worst->margin < 1 : margin > 0 && !open.worst->happened();
+        if (!more) continue;
+        finish(open, out);
+      }
+      if (!open.worst) {
+        open.worst.emplace();
+        open.worst->event = kind;
+        open.worst->by = touch.robot;
+        open.worst->margin = -near_bands;
+        open.touch = contact.touch;
+      }
+      TrueEvent& worst = *open.worst;
+      if (margin >= 1 && !worst.clear && !among_opponents(moment, contact)) worst.clear = contact.time;
       // Who dribbles into the area offends when the hull is in it.
-      const bool went_on = open.worst && open.worst->happened();
-      const world::Time began = went_on ? open.worst->time : contact.time;
-      open.touch = contact.touch;
-      open.worst = TrueEvent{.event = kind,
-                             .time = began,
-                             .until = contact.time,
-                             .margin = margin,
-                             .value = depth,
-                             .by = touch.robot,
-                             .place = robot->position,
-                             .ambiguous = went_on ? open.worst->ambiguous : among};
+      if (!worst.happened() && margin > worst.margin) worst.time = contact.time;
+      if (margin > 0) worst.until = contact.time;
+      if (margin <= worst.margin) continue;
+      worst.margin = margin;
+      worst.value = depth;
+      worst.place = robot->position;
     }
   }
 }
 
 void Areas::finish(Open& open, std::vector<TrueEvent>& out) {
-  report(out, *open.worst);
-  if (open.worst->happened()) open.reported = open.worst->time;
+  TrueEvent& worst = *open.worst;
+  worst.ambiguous = worst.margin >= 1 && !worst.clear;
+  if (worst.clear) open.told = worst.until;
+  report(out, worst);
   open.worst.reset();
 }
 

@@ -11,10 +11,11 @@ namespace judge {
 /// Who may not play the ball where (Law 12): a defender other than the goalie in its own defense area, an
 /// attacker in the opponents'. The hull counts, as a disc, at the moment of a touch.
 ///
-/// Ambiguous  when another robot, also a team-mate, touched the ball within a tick of each of these contacts.
+/// Ambiguous  when an opponent touched the ball within a tick of every contact that was a band deep. A
+///            team-mate's touch, also the goalie's, excuses nobody: who touches there, offends.
 /// Margin  the greatest depth of the hull in the area during the touch. It happens at the first contact
-/// inside
-///         and lasts as long as the touch is there. Repetitions within two seconds are the same offence.
+///         inside; it is clear at the first that is a band deep and no opponent's too.
+/// One     offence of all touches less than 0.3 s apart, once it is clear.
 class Areas {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);
@@ -22,8 +23,8 @@ class Areas {
  private:
   struct Open {
     std::optional<TrueEvent> worst;
-    std::optional<std::size_t> touch;
-    std::optional<world::Time> reported;
+    std::size_t touch = 0;
+    std::optional<world::Time> told;  // last contact of the last clear offence
   };
   void finish(Open& open, std::vector<TrueEvent>& out);
 

@@ -56,6 +56,7 @@ void Contacts::meet(const Moment& moment, const truth::Robot& yellow, const trut
     meeting.nearest.by = yellows > blues ? yellow.id : blue.id;
     meeting.nearest.place = (yellow.position + blue.position) / 2;
   }
+  watch_keeper(moment, yellow, blue, between, meeting);
   if (between > touching) return;
   if (!meeting.met) {
     meeting.met = true;
@@ -67,18 +68,29 @@ void Contacts::meet(const Moment& moment, const truth::Robot& yellow, const trut
     meeting.nearest.by = yellows > blues ? yellow.id : blue.id;
   }
   meeting.last = moment.now.time;
+}
 
+void Contacts::watch_keeper(const Moment& moment, const truth::Robot& yellow, const truth::Robot& blue,
+                            double between, Meeting& meeting) {
+  const world::Field& field = moment.rules.field;
+  const bool touch = between <= touching;
   for (const world::Team team : world::both_teams) {
     const truth::Robot& keeper = team == world::Team::Yellow ? yellow : blue;
     if (keeper.id.number != moment.state.keeper[team]) continue;
     const world::Vector2d place = (yellow.position + blue.position) / 2;
     const double depth =
         -world::distance_to_defense_area(field, world::defended_side(moment.state, team), place);
-    if (meeting.keeper && meeting.keeper->value >= depth) continue;
-    const world::Time began = meeting.keeper ? meeting.keeper->time : moment.now.time;
+    const double inside = depth / moment.bands.length;
+    const double margin = touch ? inside : std::min(inside, -between / moment.bands.length);
+    const bool touched = meeting.keeper && meeting.touched_keeper;
+    if (touched && !touch) continue;
+    const bool first = touch && !touched;
+    if (!first && meeting.keeper && meeting.keeper->margin >= margin) continue;
+    const world::Time began = touched ? meeting.keeper->time : moment.now.time;
+    meeting.touched_keeper = touch;
     meeting.keeper = TrueEvent{.event = Event::KeeperTouched,
                                .time = began,
-                               .margin = depth / moment.bands.length,
+                               .margin = margin,
                                .value = depth,
                                .by = team == world::Team::Yellow ? blue.id : yellow.id,
                                .place = place};
@@ -94,9 +106,11 @@ void Contacts::part(const Moment& moment, Meeting& meeting, std::vector<TrueEven
   if (meeting.speed > 0) report(out, hit);
   if (meeting.keeper) {
     TrueEvent& keeper = *meeting.keeper;
-    const double lasted =
-        (world::seconds(meeting.last - keeper.time) + world::tick_length) / moment.bands.time;
-    keeper.margin = std::min(keeper.margin, lasted);
+    if (meeting.touched_keeper) {
+      const double lasted =
+          (world::seconds(meeting.last - keeper.time) + world::tick_length) / moment.bands.time;
+      keeper.margin = std::min(keeper.margin, lasted);
+    }
     report(out, keeper);
   }
 }

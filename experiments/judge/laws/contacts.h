@@ -15,7 +15,7 @@ namespace judge {
 /// Collision  the speed at which they close in, along the line between them, in the tick before they met.
 /// Margins    the speed beyond its limit; of the goalie how deep in its area the point of contact was, and
 ///            for how long they touched.
-/// Near       a pass within two bands at a speed that would have been a collision.
+/// Near       a pass within two bands: at a speed that would have been a collision, or of the goalie.
 class Contacts {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);
@@ -28,10 +28,13 @@ class Contacts {
     double least = 1;     // [m] between the hulls
     TrueEvent nearest{};  // collision
     std::optional<TrueEvent> keeper{};
+    bool touched_keeper = false;
     world::Time last{};  // contact
   };
   void meet(const Moment& moment, const truth::Robot& yellow, const truth::Robot& blue, Meeting& meeting,
             std::vector<TrueEvent>& out);
+  static void watch_keeper(const Moment& moment, const truth::Robot& yellow, const truth::Robot& blue,
+                           double between, Meeting& meeting);
   void part(const Moment& moment, Meeting& meeting, std::vector<TrueEvent>& out);
 
   static constexpr std::size_t numbers = world::max_robot_number + 1;

@@ -30,6 +30,7 @@ void Exits::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     armed_ = outside <= 0;
     out_since_.reset();
     chips_ = {};
+    low_ = {};
     approach_.reset();
   }
   watch_heights(moment);
@@ -83,6 +84,7 @@ void Exits::finish(const Bands& bands, std::vector<TrueEvent>& out) {
   // Nobody need have seen it: the next one is judged at once.
   if (event.margin < 1) inside_since_ = event.time - back_in;
   out.push_back(event);
+  if (pending_->nearly) report(out, *pending_->nearly);
   if (pending_->icing) {
     pending_->icing->margin = std::min(pending_->icing->margin, event.margin);
     report(out, *pending_->icing);
@@ -103,15 +105,26 @@ void Exits::watch_heights(const Moment& moment) {
     const bool low = moment.now.ball.position.z() + field.ball_radius <= moment.rules.chip_height;
     std::optional<Chip>& chip = chips_[touch.robot.team];
     if (low && chip && chip->by != touch.robot) chip.reset();
+    std::optional<Chip>& flight = low_[touch.robot.team];
+    if (flight && flight->by != touch.robot) flight.reset();
   }
   // What it does behind the line is no matter any more.
   if (std::abs(moment.ball().x()) > field.half_length()) return;
   rolling_ = moment.now.ball.position.z() - field.ball_radius < on_carpet ? rolling_ + 1 : 0;
-  if (rolling_ >= ticks_on_carpet) chips_ = {};
+  if (rolling_ >= ticks_on_carpet) {
+    chips_ = {};
+    low_ = {};
+  }
   const double top = moment.now.ball.position.z() + field.ball_radius;
   const auto* last = moment.touches.last_at(moment.now.time);
-  if (last == nullptr || top <= moment.rules.chip_height) return;
+  if (last == nullptr || top <= moment.rules.chip_height - near_bands * moment.bands.length) return;
   const world::RobotId by = moment.touches[last->touch].robot;
+  if (top <= moment.rules.chip_height) {
+    std::optional<Chip>& flight = low_[by.team];
+    if (!flight) flight = Chip{by, top};
+    flight->highest = std::max(flight->highest, top);
+    return;
+  }
   std::optional<Chip>& chip = chips_[by.team];
   if (!chip || chip->by != by) chip = Chip{by, top};
   chip->highest = std::max(chip->highest, top);
@@ -152,6 +165,14 @@ void Exits::watch_crossing(const Moment& moment) {
     if (chip) {
       event.by = chip->by;
       pending.most = (chip->highest - moment.rules.chip_height) / moment.bands.length;
+    } else if (const std::optional<Chip>& flight = low_[attackers]) {
+      const double below = (moment.rules.chip_height - flight->highest) / moment.bands.length;
+      pending.most = std::min(pending.most, below);
+      pending.nearly = event;
+      pending.nearly->event = Event::ChippedGoal;
+      pending.nearly->by = flight->by;
+      pending.nearly->value = flight->highest;
+      pending.nearly->margin = std::min(-below, -1e-9);
     }
   } else {
     event.over_goal = between_posts;
@@ -169,6 +190,8 @@ LastTouch Exits::last_touch(const Moment& moment, const TrueTouches::Contact& co
   last.chip = touch.highest > robot_height;
   last.crowded = crowd_touch_ == contact.touch && crowded_;
   last.at_line = moment.now.time - contact.time < at_line;
+  last.impulse = touch.impulse;
+  last.alone = moment.touches.alone(contact);
   last.lost = longest_unseen(contact.time);
   return last;
 }

@@ -14,8 +14,9 @@ namespace judge {
 /// Chip    the ball's top was above 150 mm after a touch of the attackers, and since then it neither touched
 ///         another of them while lower nor stopped bouncing (three ticks within 1 mm of the carpet).
 /// Margin  of an exit: how far the ball got beyond the line within half a second; of a goal also how far it
-///         was below the bar, and of a chip how much too high; of icing the kick's distance from its limit.
-/// Near    the ball came back from the line.
+///         was below the bar and how much less than too high, and of a chip how much too high; of icing the
+///         kick's distance from its limit.
+/// Near    the ball came back from the line; a goal was almost a chip.
 class Exits {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);
@@ -30,6 +31,7 @@ class Exits {
     double deepest = 0;  // [m]
     double most = 1e9;   // bands; what else limits the margin
     std::optional<TrueEvent> icing{};
+    std::optional<TrueEvent> nearly{};  // chip goal
   };
   struct Chip {
     world::RobotId by;
@@ -48,6 +50,7 @@ class Exits {
   std::optional<TrueEvent> approach_;  // nearest to the line, while near
   std::optional<Pending> pending_;
   world::PerTeam<std::optional<Chip>> chips_;
+  world::PerTeam<std::optional<Chip>> low_;        // flights that stay below the limit, within two bands
   int rolling_ = 0;                                // ticks
   std::deque<std::pair<world::Time, bool>> seen_;  // the ball, by some camera
   std::optional<std::size_t> crowd_touch_;         // index of the last touch

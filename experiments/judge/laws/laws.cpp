@@ -43,7 +43,9 @@ void Laws::watch(const truth::Frame& frame, const world::GameState& state, bool 
                       .touches = touches_,
                       .rules = rules_,
                       .bands = bands_};
+  const std::size_t first_of_kicks = events_.size();
   kicks_.watch(moment, events_);
+  const std::size_t end_of_kicks = events_.size();
   stops_.watch(moment, events_);
   settling_.watch(moment, events_);
 
@@ -73,6 +75,12 @@ void Laws::watch(const truth::Frame& frame, const world::GameState& state, bool 
                         event.event == Event::ChippedGoal || event.event == Event::AimlessKick;
     event.late = stopped && event.time > state.location_time;
     if (!leaves && exits_.out_since()) event.late = event.late || event.time > *exits_.out_since();
+  }
+  for (std::size_t n = first_of_kicks; n < end_of_kicks; ++n) {
+    TrueEvent& event = events_[n];
+    const bool ball_was_out = exits_.out_since() && event.time > *exits_.out_since();
+    if (event.event == Event::DoubleTouch && state.location != Location::Setup && ball_was_out)
+      event.late = true;
   }
   before_ = frame;
 }

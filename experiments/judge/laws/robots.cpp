@@ -38,9 +38,12 @@ void RobotsOff::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     if (watched.worst && watched.worst->margin >= least) continue;
     const world::Time time = watched.passed ? watched.worst->time : moment.now.time;
     watched.passed = watched.passed || least > 0;
+    auto clear = watched.worst ? watched.worst->clear : std::nullopt;
+    if (!clear && least >= 1) clear = moment.now.time;
     watched.worst = TrueEvent{.event = Event::RobotLeftField,
                               .time = time,
                               .until = moment.now.time,
+                              .clear = clear,
                               .margin = least,
                               .value = least * moment.bands.length + moment.rules.run_off,
                               .by = robot.id,

@@ -68,9 +68,12 @@ void Stops::note(const Moment& moment, Event event, const truth::Robot& robot, d
   // The time is that of the first moment beyond the limit, or of the nearest one.
   const world::Time time = watched.passed ? watched.worst->time : moment.now.time;
   watched.passed = watched.passed || margin > 0;
+  auto clear = watched.worst ? watched.worst->clear : std::nullopt;
+  if (!clear && margin >= 1) clear = moment.now.time;
   watched.worst = TrueEvent{.event = event,
                             .time = time,
                             .until = moment.now.time,
+                            .clear = clear,
                             .margin = margin,
                             .value = beyond,
                             .by = robot.id,

@@ -32,6 +32,11 @@ bool is_of_a_stop(Event event) {
   return event == Event::TooFastInStop || event == Event::InterferedPlacement;
 }
 
+/// Something may happen that the program must see before it hears of the whistle.
+bool is_watched(world::Location location) {
+  return location == world::Location::GameOn || location == world::Location::Setup;
+}
+
 /// One network namespace for each.
 struct OwnNetwork {
   OwnNetwork() { enter_network_namespace(); }
@@ -61,7 +66,7 @@ struct NetShadow::Inside {
   wire::proto::Referee message;
   std::string geometry_bytes, bytes;
   world::RefereeMessage shown;        // the acting referee's, as the program knows it
-  bool in_play = false;               // as it knows
+  bool watched = false;               // in play or at a restart, as it knows
   std::uint32_t command_counter = 0;  // sent last
   std::vector<matchday::referee::GameEvent> reports;
   world::GameState state;  // of the acting referee, lately
@@ -119,11 +124,10 @@ void NetShadow::tick(const engine::Engine& engine, const referee::Referee& refer
   }
   // It must not hear of the whistle before it can have seen why: it would stop looking.
   const world::GameState& state = referee.state();
-  const bool held =
-      state.location != world::Location::GameOn && engine.time() < state.location_time + linger && in.in_play;
+  const bool held = in.watched && !is_watched(state.location) && engine.time() < state.location_time + linger;
   if (!held) {
     in.shown = referee.message();
-    in.in_play = state.location == world::Location::GameOn;
+    in.watched = is_watched(state.location);
   }
   const bool due = std::exchange(in.command_counter, in.shown.command_counter) != in.shown.command_counter ||
                    engine.tick() % message_interval == 0;

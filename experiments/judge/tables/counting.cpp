@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/judge/net/reported.h"
 #include "experiments/stats/intervals.h"
+#include "sim/world/rules/rule_set.h"
 
 namespace judge {
 namespace {
@@ -50,6 +52,10 @@ std::string share(std::int64_t good, std::int64_t n) {
 
 std::string whole(std::int64_t number) { return std::to_string(number); }
 
+std::string too_few(std::int64_t there, int wanted, const std::string& what) {
+  return there < wanted ? "too few " + what : "";
+}
+
 std::string delays(const Cases& cases) {
   std::vector<double> all;
   for (const Case* one : cases) {
@@ -81,6 +87,94 @@ ExitClasses::ExitClasses(const Cases& cases) {
       }
     }
   }
+}
+
+EventClasses::EventClasses(std::span<const GameResult> games, const std::string& shadow, Event event) {
+  for (const Case* one : cases_of(games, shadow, [&](const Case& its) { return its.event == event; })) {
+    if (one->result == Result::Extra) {
+      ++extra;
+    } else if (one->ambiguous()) {
+      ++ambiguous;
+    } else if (one->close()) {
+      ++close;
+      close_called += one->result == Result::Found;
+    } else if (one->result == Result::Missed) {
+      ++missed;
+    } else if (one->late()) {
+      ++late;
+    } else {
+      ++found;
+      within_tenth += std::abs(world::seconds(one->call->time - one->truth->time)) <= 0.1;
+      if (one->truth->by && one->call->by) {
+        ++named;
+        const bool team_only = event == Event::TooManyRobots;
+        right_robot +=
+            team_only ? one->truth->by->team == one->call->by->team : *one->truth->by == *one->call->by;
+      }
+    }
+  }
+  for (const GameResult& game : games) near_misses += game.near_misses[static_cast<std::size_t>(event)];
+}
+
+GoalClasses::GoalClasses(std::span<const GameResult> games, const std::string& shadow) {
+  const Cases of_goals = cases_of(games, shadow, [](const Case& one) { return one.event == Event::Goal; });
+  for (const Case* one : of_goals) {
+    if (one->close()) {
+      ++close;
+    } else if (one->result == Result::Extra) {
+      ++(one->chip ? chip_extra : extra);
+    } else {
+      ++(one->result == Result::Found ? found : missed);
+    }
+  }
+  goals = found + missed;
+  delay = delays(of_goals);
+  for (const Case* one :
+       cases_of(games, shadow, [](const Case& its) { return its.event == Event::ChippedGoal; })) {
+    if (one->close()) continue;
+    chips += one->result != Result::Extra;
+    chips_found += one->result == Result::Found;
+    chips_extra += one->result == Result::Extra;
+  }
+}
+
+namespace {
+constexpr std::string_view by_rules = "rules=";
+}  // namespace
+
+bool is_other_referee(const std::string& shadow) {
+  const bool eyes_too = shadow.find(',') != std::string::npos;
+  return shadow == acting_name || shadow.starts_with("net") || (shadow.starts_with(by_rules) && !eyes_too);
+}
+
+bool may_call(const std::string& shadow, Event event) {
+  if (shadow.starts_with("net")) return can_be_reported(event);
+  if (!shadow.starts_with(by_rules)) return true;
+  return world::runs(world::rule_set(shadow.substr(by_rules.size())), detector_of(event));
+}
+
+std::pair<int, int> Sayings::against(std::size_t a, std::size_t b) const {
+  std::pair<int, int> only;
+  for (const Case* exit : exits) {
+    const bool first = right(a, *exit);
+    const bool second = right(b, *exit);
+    only.first += first && !second;
+    only.second += second && !first;
+  }
+  return only;
+}
+
+std::optional<std::size_t> Sayings::witness(const std::string& name) const {
+  const auto it = std::ranges::find(witnesses, name);
+  if (it == witnesses.end()) return std::nullopt;
+  return static_cast<std::size_t>(it - witnesses.begin());
+}
+
+std::string brier(const std::vector<std::pair<double, bool>>& said) {
+  if (said.empty()) return "";
+  double sum = 0;
+  for (const auto& [probability, right] : said) sum += std::pow(probability - (right ? 1 : 0), 2);
+  return fmt::format("{:.4f}", sum / static_cast<double>(said.size()));
 }
 
 bool Sayings::right(std::size_t witness, const Case& exit) const {

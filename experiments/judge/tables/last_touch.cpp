@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 #include "experiments/judge/tables/counting.h"
 #include "experiments/judge/tables/parts.h"
@@ -12,24 +12,17 @@ namespace judge {
 Table touch_teams_table(std::span<const GameResult> games, const Wanted& wanted) {
   const Sayings sayings = sayings_of(games);
   const auto rows = sayings.witnesses.size();
-  const auto three =
-      static_cast<std::size_t>(std::ranges::find(sayings.witnesses, "all three") - sayings.witnesses.begin());
-  Table table{
-      "b_last_touch",
-      "b) Last touching team (the paper's Table 8)",
-      "At the same clear exits, as called by the acting referee's detectors. p: McNemar's exact two-sided "
-      "test.",
-      {"touches by", "last team right", "last robot right", "p against all three", "p against the row above"},
-      {}};
+  const auto three = sayings.witness("all three");
+  Table table{"b_last_touch",
+              "b) Last touching team (the paper's Table 8)",
+              "At the same clear exits, as called by the acting referee's detectors. p: McNemar's exact "
+              "two-sided test "
+              "(exits that only this row, and only the other, had right).",
+              {"touches by", "last team right", "last robot right", "p against all three",
+               "p against the row above", "remark"},
+              {}};
   const auto mcnemar = [&](std::size_t a, std::size_t b) {
-    int only_a = 0;
-    int only_b = 0;
-    for (const Case* exit : sayings.exits) {
-      const bool first = sayings.right(a, *exit);
-      const bool second = sayings.right(b, *exit);
-      only_a += first && !second;
-      only_b += second && !first;
-    }
+    const auto [only_a, only_b] = sayings.against(a, b);
     return fmt::format("{:.2g} ({}:{})", stats::sign_test(only_a, only_b), only_a, only_b);
   };
   for (std::size_t w = 0; w < rows; ++w) {
@@ -41,24 +34,25 @@ Table touch_teams_table(std::span<const GameResult> games, const Wanted& wanted)
     }
     const auto n = static_cast<std::int64_t>(sayings.exits.size());
     table.rows.push_back({sayings.witnesses[w], share(good, n), share(robot, n),
-                          w == three || three >= rows ? "" : mcnemar(w, three),
-                          w == 0 ? "" : mcnemar(w, w - 1)});
+                          !three || w == *three ? "" : mcnemar(w, *three), w == 0 ? "" : mcnemar(w, w - 1),
+                          too_few(n, wanted.exits, "clear exits")});
   }
-  if (static_cast<int>(sayings.exits.size()) < wanted.exits)
-    table.rows.push_back({"too few exits", "", "", "", ""});
   return table;
 }
 
 Table strata_table(std::span<const GameResult> games) {
   const Sayings sayings = sayings_of(games);
-  Table table{"g_strata",
-              "g) Last touching team by what happened",
-              "Clear exits. Lost: the longest stretch of ticks in which no camera saw the ball from its last "
-              "touch to "
-              "the exit. Crowded: robots of both teams within 150 mm of the ball at the touch.",
-              {"exits", "count"},
-              {}};
+  Table table{
+      "g_strata",
+      "g1) Last touching team by what happened",
+      "Clear exits that were called, as in b. Lost: the longest stretch of ticks in which no camera saw "
+      "the ball from its last touch to the exit. Crowded: robots of both teams within 150 mm of the ball "
+      "at the touch. Brier: as in f, of the likelihood's probability.",
+      {"exits", "count"},
+      {}};
+  const auto likelihood = sayings.witness("likelihood");
   for (const std::string& witness : sayings.witnesses) table.columns.push_back(witness);
+  table.columns.emplace_back("Brier");
   const auto row = [&](const std::string& what, const std::function<bool(const Case&)>& wanted) {
     Cases exits;
     for (const Case* exit : sayings.exits) {
@@ -70,6 +64,12 @@ Table strata_table(std::span<const GameResult> games) {
           std::ranges::count_if(exits, [&](const Case* exit) { return sayings.right(w, *exit); });
       fields.push_back(share(good, static_cast<std::int64_t>(exits.size())));
     }
+    std::vector<std::pair<double, bool>> said;
+    for (const Case* exit : exits) {
+      if (!likelihood || !exit->call->witnesses.at(*likelihood)) continue;
+      said.emplace_back(exit->call->witnesses[*likelihood]->probability, sayings.right(*likelihood, *exit));
+    }
+    fields.push_back(brier(said));
     table.rows.push_back(std::move(fields));
   };
   row("all", [](const Case&) { return true; });
@@ -90,20 +90,20 @@ Table strata_table(std::span<const GameResult> games) {
 }
 
 Table calibration_table(std::span<const GameResult> games) {
-  Table table{"f_calibration",
-              "f) The last touch's probability",
-              "Of the likelihood, at clear exits. Brier: mean square of the difference between what was said "
-              "and what "
-              "was (0: perfect; 0.25: a coin).",
-              {"probability said", "exits", "mean said", "right team"},
-              {}};
+  Table table{
+      "f_calibration",
+      "f) The last touch's probability",
+      "Of the likelihood, at clear exits that were called. Calibrated: the right team's interval holds "
+      "the mean said. Brier: mean square of the difference between what was said and what was (0: "
+      "perfect; 0.25: a coin).",
+      {"probability said", "exits", "mean said", "right team"},
+      {}};
   const Sayings sayings = sayings_of(games);
-  const auto it = std::ranges::find(sayings.witnesses, "likelihood");
-  if (it == sayings.witnesses.end()) return table;
-  const auto w = static_cast<std::size_t>(it - sayings.witnesses.begin());
+  const auto likelihood = sayings.witness("likelihood");
+  if (!likelihood) return table;
+  const std::size_t w = *likelihood;
   constexpr std::array bounds = {0.0, 0.5, 0.6, 0.7, 0.8, 0.9, 0.97, 0.99, 1.0001};
-  double brier = 0;
-  int all = 0;
+  std::vector<std::pair<double, bool>> all;
   for (std::size_t b = 0; b + 1 < bounds.size(); ++b) {
     int n = 0;
     int good = 0;
@@ -115,14 +115,12 @@ Table calibration_table(std::span<const GameResult> games) {
       ++n;
       good += right;
       sum += said->probability;
-      brier += std::pow(said->probability - (right ? 1 : 0), 2);
+      all.emplace_back(said->probability, right);
     }
-    all += n;
     table.rows.push_back({fmt::format("{:.2f} to {:.2f}", bounds[b], std::min(bounds[b + 1], 1.0)), whole(n),
                           n > 0 ? fmt::format("{:.3f}", sum / n) : "", share(good, n)});
   }
-  table.rows.push_back(
-      {"Brier score", whole(all), "", all > 0 ? fmt::format("{:.4f}", brier / all) : "none"});
+  table.rows.push_back({"Brier score", whole(std::ssize(all)), "", all.empty() ? "none" : brier(all)});
   return table;
 }
 

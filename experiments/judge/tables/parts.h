@@ -8,8 +8,11 @@ namespace judge {
 
 // The tables of the study, one function each; `wanted` says how many cases are too few.
 
+/// Which of the study's goals are reached; its note says it in a few sentences.
+Table summary_table(std::span<const GameResult> games, const Wanted& wanted);
 Table exits_table(std::span<const GameResult> games, const Wanted& wanted);        // a
 Table situations_table(std::span<const GameResult> games);                         // a
+Table failing_exits_table(std::span<const GameResult> games);                      // a
 Table touch_teams_table(std::span<const GameResult> games, const Wanted& wanted);  // b
 Table goals_table(std::span<const GameResult> games, const Wanted& wanted);        // c
 /// d: the ball's speed alone; e: everything else but exits and goals.

@@ -13,11 +13,13 @@ Table touches_table(std::span<const GameResult> games) {
               "h) Touches in play",
               "Impulse of a substep above 1 mN s, 50 ms apart. Recall by kind; precision over all; again: "
               "named once more "
-              "within a touch that was found.",
+              "within a touch that was found. A named touch stands for every true one of that robot that it "
+              "overlaps; one to one: when it may stand for one only.",
               {"touches by", "window"},
               {}};
   for (std::size_t k = 0; k < kinds; ++k) table.columns.emplace_back(name(static_cast<Kind>(k)));
-  for (const char* column : {"all", "precision", "extra", "again"}) table.columns.emplace_back(column);
+  for (const char* column : {"all", "one to one", "precision", "extra", "again"})
+    table.columns.emplace_back(column);
   std::vector<TouchCount> sums;
   for (const GameResult& game : games) {
     for (const TouchCount& count : game.touches) {
@@ -32,6 +34,7 @@ Table touches_table(std::span<const GameResult> games) {
         sum->found[k] += count.found[k];
         sum->missed[k] += count.missed[k];
       }
+      sum->own += count.own;
       sum->extra += count.extra;
       sum->again += count.again;
     }
@@ -46,6 +49,7 @@ Table touches_table(std::span<const GameResult> games) {
       all += sum.found[k] + sum.missed[k];
     }
     row.push_back(share(found, all));
+    row.push_back(share(sum.own, all));
     row.push_back(share(found, found + sum.extra));
     row.push_back(whole(sum.extra));
     row.push_back(whole(sum.again));

@@ -132,6 +132,21 @@ TEST(Goals, AreBetweenThePostsAndUnderTheBar) {
   }
 }
 
+TEST(Goals, AreAlmostChipsWhenTheBallWasNearlyTooHigh) {
+  // Tops at 141.5 mm, 101.5 mm and 43 mm, which is a ball that rolls: of the limit of 150 mm.
+  for (const double z : {0.12, 0.08, Story::radius}) {
+    const double below = (0.15 - z - Story::radius) / 0.04;
+    const auto goals = shot(0, z, Event::Goal);
+    ASSERT_EQ(goals.size(), 1u) << z;
+    EXPECT_EQ(goals[0].close(), below < 1) << z;
+    const auto chips = shot(0, z, Event::ChippedGoal);
+    ASSERT_EQ(chips.size(), below < 2 ? 1u : 0u) << z;
+    if (!chips.empty()) {
+      EXPECT_NEAR(chips[0].margin, -below, exact);
+    }
+  }
+}
+
 TEST(Goals, DoNotCountWhenTheBallWasTooHigh) {
   // Top at 141.5 mm and at 151.5 mm: the law says 150 mm; under the bar both.
   EXPECT_EQ(shot(0, 0.12, Event::Goal).size(), 1u);
@@ -155,7 +170,7 @@ TEST(Goals, CountAfterATeamMateTouchedTheBallLowOrItRolled) {
     story.ball.velocity.setZero();
     story.tick(40);
     EXPECT_EQ(story.told(Event::Goal).size(), 1u) << team_mate;
-    EXPECT_TRUE(story.told(Event::ChippedGoal).empty()) << team_mate;
+    for (const TrueEvent& chip : story.told(Event::ChippedGoal)) EXPECT_FALSE(chip.happened()) << team_mate;
   }
 }
 
@@ -317,6 +332,55 @@ TEST(DoubleTouch, IsTheKickersUnlessAnotherRobotTouchedBefore) {
   EXPECT_TRUE(second_touch(true).told(Event::DoubleTouch).empty());
 }
 
+/// The same second touch, `ticks` after play was stopped.
+std::vector<TrueEvent> touch_after_whistle(int ticks) {
+  Story story;
+  story.enter(Location::Setup);
+  story.state.kick_team = world::Team::Yellow;
+  story.robot(yellow(1), {-0.0945, 0});
+  story.tick(3);
+  story.touch(yellow(1));
+  story.ball.velocity = {1, 0, 0};
+  story.tick(3);
+  story.enter(Location::GameOn);
+  story.tick(15);
+  story.ball.velocity.setZero();
+  if (ticks > 0) story.enter(Location::GameOff);
+  story.tick(std::max(ticks, 1));
+  story.robot(yellow(1)).position.x() = story.ball.position.x() - 0.1;
+  story.touch(yellow(1));
+  story.tick(30);
+  return story.told(Event::DoubleTouch);
+}
+
+TEST(DoubleTouch, IsWatchedForThreeTenthsOfASecondAfterTheWhistleAndIsLate) {
+  ASSERT_EQ(touch_after_whistle(0).size(), 1u);
+  EXPECT_FALSE(touch_after_whistle(0)[0].late);
+  const auto soon = touch_after_whistle(16);  // 0.27 s
+  ASSERT_EQ(soon.size(), 1u);
+  EXPECT_TRUE(soon[0].late);
+  EXPECT_TRUE(touch_after_whistle(20).empty());  // 0.33 s
+}
+
+TEST(DoubleTouch, DoesNotCountOnceTheBallWasOut) {
+  Story story;
+  story.enter(Location::Setup);
+  story.state.kick_team = world::Team::Yellow;
+  story.ball.position = {0, 2.9, Story::radius};
+  story.robot(yellow(1), {-0.0945, 2.9});
+  story.tick(3);
+  story.touch(yellow(1));
+  story.ball.velocity = {0, 2, 0};
+  story.tick(2);
+  story.enter(Location::GameOn);
+  story.tick(10);  // out after 0.06 s; the referee has not said so
+  story.touch(yellow(1));
+  story.tick(5);
+  const auto twice = story.told(Event::DoubleTouch);
+  ASSERT_EQ(twice.size(), 1u);
+  EXPECT_TRUE(twice[0].late);
+}
+
 TEST(KickTaken, IsDatedAtFiftyMillimetres) {
   const Story story = second_touch(false);
   const auto kicks = story.told(Event::KickTaken);
@@ -370,20 +434,81 @@ TEST(Areas, BeginWhenTheHullIsInAndLastAsLongAsTheTouch) {
   EXPECT_FALSE(told[0].ambiguous);
 }
 
-TEST(Areas, AreAmbiguousAmongTeamMates) {
+/// Blue 3 stands 0.49 m deep in its own area and touches the ball five times, `other` right before each time.
+std::vector<TrueEvent> touches_with(std::optional<world::RobotId> other, Event event) {
   Story story;
   story.state.keeper = {0, 0};
   story.robot(blue(3), {3.9, 0});
   story.ball.position = {4.0, 0, Story::radius};
   for (int n = 0; n < 5; ++n) {
-    story.touch(blue(0), 0.01, 2);
+    if (other) story.touch(*other, 0.01, 2);
     story.touch(blue(3), 0.01, 4);
+    story.tick();
+  }
+  story.tick(20);
+  return story.told(event);
+}
+
+TEST(Areas, AreAmbiguousAmongOpponentsOnly) {
+  const auto among_opponents = touches_with(yellow(2), Event::DefenderInArea);
+  ASSERT_EQ(among_opponents.size(), 1u);
+  EXPECT_TRUE(among_opponents[0].ambiguous);
+  const auto with_goalie = touches_with(blue(0), Event::DefenderInArea);
+  ASSERT_EQ(with_goalie.size(), 1u);
+  EXPECT_FALSE(with_goalie[0].ambiguous) << "it touched the ball, whoever else did";
+  const auto alone = touches_with({}, Event::DefenderInArea);
+  ASSERT_EQ(alone.size(), 1u);
+  EXPECT_FALSE(alone[0].ambiguous);
+  EXPECT_EQ(alone[0].clear, alone[0].time) << "a band deep from the first touch on";
+}
+
+TEST(Areas, AreClearOnceABandDeep) {
+  Story story;
+  story.state.keeper = {0, 0};
+  story.robot(blue(3), {3.0, 0}, {0.3, 0});  // the hull is in the area from x = 3.41 on, a band at 3.45
+  story.ball.position = {3.0945, 0, Story::radius};
+  story.ball.velocity = {0.3, 0, 0};
+  for (int n = 0; n < 120; ++n) {
+    story.touch(blue(3));
     story.tick();
   }
   story.tick(20);
   const auto told = story.told(Event::DefenderInArea);
   ASSERT_EQ(told.size(), 1u);
-  EXPECT_TRUE(told[0].ambiguous);
+  ASSERT_TRUE(told[0].clear);
+  EXPECT_NEAR(world::seconds(*told[0].clear - told[0].time), 0.04 / 0.3, 0.018);  // a tick
+}
+
+TEST(Areas, TellAClearOffenceBesideANearMissAndOneForAllAtOnce) {
+  for (const double other : {3.36, 3.9}) {  // hull 50 mm outside the area, and deep inside
+    Story story;
+    story.state.keeper = {0, 0};
+    story.robot(blue(2), {other, 0.2});
+    story.robot(blue(3), {3.9, 0});
+    story.ball.position = {3.8, 0, Story::radius};
+    for (int n = 0; n < 5; ++n) {
+      story.touch(blue(2), 0.01, 2);
+      story.touch(blue(3), 0.01, 4);
+      story.tick();
+    }
+    story.tick(60);
+    const auto told = story.told(Event::DefenderInArea);
+    EXPECT_EQ(std::ranges::count_if(told, [](const TrueEvent& one) { return one.margin >= 1; }), 1) << other;
+  }
+}
+
+TEST(Areas, TellTouchesLessThanThreeTenthsOfASecondApartOnce) {
+  for (const int pause : {12, 24}) {  // 0.2 s and 0.4 s
+    Story story;
+    story.state.keeper = {0, 0};
+    story.robot(blue(3), {3.9, 0});
+    story.ball.position = {4.0, 0, Story::radius};
+    story.touch(blue(3));
+    story.tick(pause);
+    story.touch(blue(3));
+    story.tick(30);
+    EXPECT_EQ(story.told(Event::DefenderInArea).size(), pause == 12 ? 1u : 2u) << pause;
+  }
 }
 
 TEST(Areas, AreForTheGoalieAlone) {
@@ -429,6 +554,57 @@ TEST(Contacts, AreCollisionsWhenTheyCloseInTooFast) {
     ASSERT_EQ(hits.size(), 1u) << speed;
     EXPECT_NEAR(hits[0].margin, (speed - 1.5) / 0.2, exact);
     EXPECT_EQ(hits[0].by, yellow(1));
+  }
+}
+
+/// Yellow 1 drives at blue's goalie, who stands 0.5 m deep in its area, stops `gap` from its hull and stays
+/// for so many ticks.
+std::vector<TrueEvent> at_the_goalie(double gap, int ticks) {
+  Story story;
+  story.state.keeper = {0, 0};
+  story.robot(blue(0), {4, 0});
+  story.robot(yellow(1), {3.5, 0}, {0.6, 0});
+  story.tick(20);
+  story.robot(yellow(1)).position.x() = 4 - 0.18 - gap;
+  story.robot(yellow(1)).velocity.setZero();
+  story.tick(ticks);
+  story.robot(yellow(1)).position.x() = 3.5;
+  story.tick(2);
+  return story.told(Event::KeeperTouched);
+}
+
+TEST(Contacts, WithTheGoalieCountByHowLongTheyLastAndMissesByTheGap) {
+  const auto pushed = at_the_goalie(0.0005, 30);
+  ASSERT_EQ(pushed.size(), 1u);
+  EXPECT_NEAR(pushed[0].margin, 0.5 / 0.2, exact);  // 30 ticks in bands of time
+  EXPECT_EQ(pushed[0].by, yellow(1));
+  const auto bumped = at_the_goalie(0.0005, 6);
+  ASSERT_EQ(bumped.size(), 1u);
+  EXPECT_TRUE(bumped[0].happened() && bumped[0].close());
+  const auto near = at_the_goalie(0.03, 30);
+  ASSERT_EQ(near.size(), 1u);
+  EXPECT_NEAR(near[0].margin, -0.03 / 0.04, exact);
+  EXPECT_TRUE(at_the_goalie(0.09, 30).empty());
+}
+
+TEST(Contacts, EndTwentyMillimetresApart) {
+  for (const double gap : {0.015, 0.05}) {
+    Story story;
+    story.robot(yellow(1), {-0.6, 0}, {2, 0});
+    story.robot(blue(1), {0, 0});
+    for (int meeting = 0; meeting < 2; ++meeting) {
+      story.robot(yellow(1)).velocity = {2, 0};
+      story.tick(meeting == 0 ? 13 : 2);  // the hulls meet
+      story.robot(yellow(1)).velocity.setZero();
+      story.robot(yellow(1)).position.x() = -0.18;
+      story.tick(2);
+      story.robot(yellow(1)).position.x() = -0.18 - gap;
+      story.tick(2);
+    }
+    story.robot(yellow(1)).position.x() = -1;
+    story.tick(2);
+    const auto hits = story.told(Event::Collision);
+    EXPECT_EQ(std::ranges::count_if(hits, &TrueEvent::happened), gap < 0.02 ? 1 : 2) << gap;
   }
 }
 
@@ -553,6 +729,136 @@ TEST(Settling, NeedsASecondOfSlowRobots) {
   ASSERT_EQ(settled.size(), 1u);
   EXPECT_NEAR(world::seconds(settled[0].time), slow + 1, 1.0 / 60 + exact);  // counted in ticks
   EXPECT_GE(settled[0].margin, 1);
+}
+
+/// Waits with a robot that drives in a circle at that speed, and a ball that lies that far from its place.
+/// @return when the robots had settled [s] after the wait began; nothing: it was not told
+std::optional<TrueEvent> wait(double speed, double off, bool kickoff = false, double x = -1,
+                              int ticks = 2000) {
+  Story story;
+  story.enter(Location::GameOff);
+  story.state.reset_position = world::Vector2d{off, 0};
+  story.state.is_kickoff = kickoff;
+  truth::Robot& robot = story.robot(yellow(2), {x, 2});
+  for (int n = 0; n < ticks; ++n) {
+    robot.velocity = speed * world::direction(0.05 * n);
+    story.tick();
+  }
+  story.enter(Location::Setup);
+  story.tick(30);
+  const auto told = story.told(Event::RobotsSettled);
+  if (told.empty()) return std::nullopt;
+  return told[0];
+}
+
+double after_wait(const TrueEvent& event) { return world::seconds(event.time) - world::tick_length; }
+
+TEST(Settling, KnowsTheLimitOfSpeedWithItsBand) {
+  // Slower than 0.3 m/s, by a band below 0.4, and faster than 0.5.
+  const auto slow = wait(0.29, 0);
+  ASSERT_TRUE(slow);
+  EXPECT_GE(slow->margin, 1);
+  EXPECT_NEAR(after_wait(*slow), 1, 2 * world::tick_length);
+  const auto fast = wait(0.52, 0);
+  ASSERT_TRUE(fast);
+  EXPECT_GE(fast->margin, 1);
+  EXPECT_NEAR(after_wait(*fast), 15, 2 * world::tick_length) << "the wait is over";
+  for (const double about : {0.36, 0.44}) {
+    const auto close = wait(about, 0);
+    ASSERT_TRUE(close);
+    EXPECT_TRUE(close->close()) << about;
+    EXPECT_NEAR(after_wait(*close), 1, 2 * world::tick_length) << "the first that is right";
+    ASSERT_TRUE(close->until);
+    EXPECT_NEAR(world::seconds(*close->until) - world::tick_length, 15, 2 * world::tick_length);
+  }
+}
+
+TEST(Settling, NeedsTheBallInItsPlace) {
+  EXPECT_NEAR(after_wait(*wait(0, 0.025)), 1, 2 * world::tick_length);  // 50 mm less a band of 20 mm
+  EXPECT_NEAR(after_wait(*wait(0, 0.075)), 15, 2 * world::tick_length);
+  EXPECT_TRUE(wait(0, 0.055)->close());
+}
+
+TEST(Settling, WaitsTwiceAsLongForRobotsInTheWrongHalf) {
+  // Yellow defends -x.
+  EXPECT_NEAR(after_wait(*wait(0, 0, true, -0.05)), 1, 2 * world::tick_length);
+  EXPECT_NEAR(after_wait(*wait(0, 0, true, 0.05)), 30, 2 * world::tick_length);
+  EXPECT_NEAR(after_wait(*wait(0, 0, false, 0.05)), 1, 2 * world::tick_length) << "only at a kickoff";
+  EXPECT_TRUE(wait(0, 0, true, 0.02)->close());
+}
+
+TEST(Settling, IsNotToldWhenPlayGoesOnBefore) { EXPECT_FALSE(wait(0.2, 0, false, -1, 30)); }
+
+// The numbers of the laws, each with a scene a little on either side of it: moved, one of them fails.
+TEST(Limits, OfTimeAreThoseOfTheLaws) {
+  const auto held = [](double seconds) {
+    Story story;
+    story.state.keeper = {0, 0};
+    story.robot(blue(0), {4.2, 0}).orientation = 3.14159265358979323846;
+    story.ball.position = {4.2 - 0.0945, 0, Story::radius};
+    story.tick(static_cast<int>(seconds * 60));
+    story.ball.position.x() = 4.2 - 0.14;  // lets go: 45 mm in front of it
+    story.tick(40);
+    const auto told = story.told(Event::KeeperHeldBall);
+    return !told.empty() && told[0].happened();
+  };
+  EXPECT_FALSE(held(14.9));
+  EXPECT_TRUE(held(15.1));
+
+  const auto stuck = [](double seconds, double speed) {
+    Story story;
+    story.enter(Location::GameOn);
+    story.ball.velocity = {speed, 0, 0};
+    story.tick(static_cast<int>(seconds * 60));
+    const auto told = story.told(Event::NoProgress);
+    return std::ranges::any_of(told, [](const TrueEvent& one) { return one.happened(); });
+  };
+  EXPECT_FALSE(stuck(11.9, 0));
+  EXPECT_TRUE(stuck(12.1, 0));
+  EXPECT_TRUE(stuck(13.5, 0.24));
+  EXPECT_FALSE(stuck(13.5, 0.26));
+
+  const auto seven = [](double seconds) {
+    Story story;
+    story.enter(Location::GameOn);
+    for (int n = 0; n < 7; ++n) story.robot(blue(n), {0.3 * n, 1});
+    story.tick(static_cast<int>(seconds * 60));
+    return !story.told(Event::TooManyRobots).empty();
+  };
+  EXPECT_FALSE(seven(1.9));
+  EXPECT_TRUE(seven(2.1));
+}
+
+TEST(Limits, OfPlacesAndSpeedsAreThoseOfTheLaws) {
+  const auto out = [](double y) {
+    Story story;
+    story.robot(blue(2), {0, y});
+    story.tick(130);
+    story.robot(blue(2)).position.y() = 2;
+    story.tick(2);
+    const auto told = story.told(Event::RobotLeftField);
+    return !told.empty() && told[0].happened();
+  };
+  EXPECT_FALSE(out(3.24));  // of the centre: 0.25 m beyond the touch line
+  EXPECT_TRUE(out(3.26));
+
+  // Margins say which limit they are measured from.
+  Story story;
+  story.enter(Location::Setup);
+  story.state.kick_team = world::Team::Yellow;
+  story.state.is_kickoff = true;
+  story.robot(yellow(1), {-0.0945, 0});
+  story.robot(yellow(2), {0.03, 2});
+  story.tick(3);
+  story.touch(yellow(1));
+  story.ball.velocity = {3, 0, 0};
+  story.tick(3);
+  story.enter(Location::GameOn);
+  story.tick(25);
+  const auto half = story.told(Event::WrongHalf);
+  ASSERT_EQ(half.size(), 1u);
+  EXPECT_EQ(half[0].by, yellow(2));
+  EXPECT_NEAR(half[0].margin, 0.03 / 0.04, exact);
 }
 
 TEST(HullDistance, IsADiscWithAFlatFront) {

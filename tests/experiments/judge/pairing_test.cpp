@@ -69,6 +69,35 @@ TEST(Pair, ForgivesALateCallOfACloseEventThatLasted) {
   EXPECT_EQ(count(paired({lasted}, {call(1.6)}), Result::Found), 0) << "a clear one has its moment";
 }
 
+TEST(Pair, GivesEachRobotItsOwnCallWhenSeveralOffendTogether) {
+  const auto robot = [](int number) {
+    return world::RobotId{world::Team::Blue, static_cast<std::uint8_t>(number)};
+  };
+  TrueEvent one = truth(1, 5, Event::TooNearInStop);
+  one.by = robot(1);
+  one.until = at(9);
+  TrueEvent other = one;
+  other.by = robot(2);
+  Call first = call(1.1, Event::TooNearInStop);
+  first.by = robot(2);
+  Call second = call(1.1, Event::TooNearInStop);
+  second.by = robot(1);
+  const auto cases = paired({one, other}, {first, second});
+  ASSERT_EQ(cases.size(), 2u);
+  for (const Case& its : cases) EXPECT_EQ(its.truth->by, its.call->by);
+}
+
+TEST(Case, IsLateWhenItHadBeenClearForLongerThanTheWindow) {
+  TrueEvent lasts = truth(1, 5, Event::TooNearInStop);
+  lasts.until = at(9);
+  lasts.clear = at(2);
+  EXPECT_FALSE(paired({lasts}, {call(2.29, Event::TooNearInStop)}).at(0).late());
+  const auto late = paired({lasts}, {call(2.31, Event::TooNearInStop)});
+  ASSERT_EQ(late.size(), 1u);
+  EXPECT_TRUE(late[0].late());
+  EXPECT_EQ(count(paired({lasts}, {call(9.4, Event::TooNearInStop)}), Result::Extra), 1) << "it was over";
+}
+
 TEST(Pair, DoesNotCountWhatCameAfterTheWhistleUnlessBothSawIt) {
   TrueEvent late_truth = truth(1, 5);
   late_truth.late = true;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "experiments/judge/failures.h"
 #include "experiments/judge/game_file.h"
 
@@ -70,7 +72,7 @@ TEST(Tables, CountAsThePaperDid) {
   EXPECT_EQ(row[11], "158/158 = 1.000 [0.976, 1.000]");
   EXPECT_EQ(row[12], "75.95");  // 12 of 158
   EXPECT_EQ(row[14], "50, 50");
-  EXPECT_EQ(row[15], "too few");
+  EXPECT_EQ(row[15], "too few clear exits");
 }
 
 TEST(Tables, CompareWitnessesOnTheSameExits) {
@@ -134,6 +136,101 @@ TEST(Tables, CountWhatMadeExitsHard) {
   EXPECT_EQ(row("over")[1], "0");
 }
 
+/// The one row of `name` that begins like this.
+std::vector<std::string> row_of(const std::vector<Table>& all, const std::string& name,
+                                const std::string& begin, std::size_t column = 0) {
+  for (const auto& row : table(all, name).rows) {
+    if (row[column].starts_with(begin)) return row;
+  }
+  ADD_FAILURE() << "no row " << begin;
+  return std::vector<std::string>(20);
+}
+
+TEST(Tables, SayWhatFailingExitsHaveInCommon) {
+  GameResult result = game();
+  Case gentle = exit_case(true, false, 0.9);
+  gentle.truth->last->impulse = 0.015;
+  Case hard = exit_case(true, true, 0.9);
+  hard.truth->last->impulse = 0.1;
+  Case plain = hard;
+  plain.call->last->robot.team = world::Team::Yellow;
+  result.cases = {gentle, hard, plain, hard};
+  const auto all = tables({&result, 1});
+  EXPECT_THAT(row_of(all, "a_failing", "gentle")[1], HasSubstr("1/2"));
+  EXPECT_THAT(row_of(all, "a_failing", "gentle")[2], HasSubstr("1/4"));
+  EXPECT_THAT(row_of(all, "a_failing", "none")[1], HasSubstr("1/2"));
+}
+
+TEST(Tables, CountAMissedExitWhoeverTouchedLast) {
+  GameResult result = game();
+  Case missed = exit_case(true, true, 0.9);
+  missed.truth->ambiguous = true;
+  missed.result = Result::Missed;
+  missed.call.reset();
+  result.cases = {exit_case(true, true, 0.9), missed};
+  const auto all = tables({&result, 1});
+  EXPECT_THAT(row_of(all, "a_exits", "ours")[11], HasSubstr("1/2"));
+  EXPECT_EQ(row_of(all, "summary", "missed exits")[2], "1 of 2");
+  EXPECT_EQ(failures({&result, 1}, acting_name).size(), 1u);
+}
+
+TEST(Tables, CountALateCallAsNeitherFoundNorExtra) {
+  GameResult result = game();
+  Case one{acting_name, Event::TooNearInStop, Result::Found};
+  one.truth.emplace();
+  one.truth->event = Event::TooNearInStop;
+  one.truth->margin = 3;
+  one.truth->time = one.truth->clear.emplace(at(10));
+  one.truth->until = at(20);
+  one.call.emplace();
+  one.call->time = one.call->reported = at(10.2);
+  Case late = one;
+  late.call->time = late.call->reported = at(12);
+  result.cases = {one, late};
+  const auto all = tables({&result, 1});
+  const auto row = row_of(all, "e_events", "too near in stop", 1);
+  EXPECT_THAT(row[4], HasSubstr("1/1"));
+  EXPECT_THAT(row[5], HasSubstr("1/2"));
+  EXPECT_EQ(row[6], "1");
+  EXPECT_EQ(row[12], "too few events, too few near misses");
+  const auto failed = failures({&result, 1}, acting_name);
+  ASSERT_EQ(failed.size(), 1u);
+  EXPECT_THAT(failed[0].what, testing::StartsWith("late"));
+}
+
+TEST(Tables, SummarizeWhatIsReached) {
+  GameResult result = game();
+  for (int n = 0; n < 100; ++n) result.cases.push_back(exit_case(n >= 10, n < 99, 0.9));  // 0.99 exactly
+  const auto reached = tables({&result, 1});
+  EXPECT_EQ(row_of(reached, "summary", "last team")[3], "yes (too few clear exits)");
+  EXPECT_EQ(row_of(reached, "summary", "extra exits")[3], "yes (too few clear exits)");
+  EXPECT_EQ(row_of(reached, "summary", "missed goals")[3], "not known");
+  // 10 : 1 discordant, exact binomial: 2 (1 + 11) / 2048.
+  EXPECT_EQ(row_of(reached, "summary", "likelihood")[2], "p = 0.012 (10:1)");
+  EXPECT_EQ(row_of(reached, "summary", "likelihood")[3], "no (too few clear exits)");
+  result.cases.push_back(exit_case(true, false, 0.9));
+  Case false_goal{acting_name, Event::Goal, Result::Extra};
+  false_goal.call.emplace();
+  result.cases.push_back(false_goal);
+  const auto not_reached = tables({&result, 1});
+  EXPECT_EQ(row_of(not_reached, "summary", "last team")[3], "no (too few clear exits)");
+  EXPECT_THAT(table(not_reached, "summary").note, HasSubstr("Not reached: last team; false goals"));
+  result.preset = "harsh";  // 0.97 asked
+  const auto harsh = tables({&result, 1});
+  EXPECT_EQ(row_of(harsh, "summary", "last team")[3], "yes (too few clear exits)");
+  EXPECT_EQ(row_of(harsh, "summary", "false goals")[3], "") << "not asked for";
+}
+
+TEST(Tables, NameEveryColumnOnce) {
+  const GameResult result = game();
+  for (const Table& one : tables({&result, 1})) {
+    std::set<std::string> names(one.columns.begin(), one.columns.end());
+    EXPECT_EQ(names.size(), one.columns.size()) << one.name;
+    for (const std::string& column : one.columns) EXPECT_NE(column.find_first_not_of(' '), std::string::npos);
+    for (const auto& row : one.rows) EXPECT_EQ(row.size(), one.columns.size()) << one.name;
+  }
+}
+
 TEST(Failures, NamePassageTruthAndCall) {
   GameResult result = game();
   result.cases = {exit_case(true, false, 0.62)};
@@ -172,7 +269,7 @@ TEST(GameFile, IsReadBackAsItWas) {
   extra.call->witnesses = {std::nullopt, touch(world::Team::Yellow, 0.25)};
   extra.chip = true;
   result.cases = {exit_case(true, false, 0.62), missed, extra};
-  result.touches.push_back({"all three", 0.1, {1, 2, 3, 4, 5}, {5, 4, 3, 2, 1}, 6, 7});
+  result.touches.push_back({"all three", 0.1, {1, 2, 3, 4, 5}, {5, 4, 3, 2, 1}, 6, 7, 8});
   result.near_misses[3] = 9;
   const std::string text = to_json(result);
   EXPECT_EQ(to_json(game_from_json(text, "it")), text);

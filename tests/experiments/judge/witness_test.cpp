@@ -76,6 +76,7 @@ TEST(CountTouches, LetsContactThatLastsStandForAllItOverlaps) {
   const Witness witness = nearest_while(frames);
   const TouchCount count = count_touches({touch(1.1, 1.2), touch(1.5, 1.6), touch(1.9, 1.9)}, witness, 0.1);
   EXPECT_EQ(count.found[kick], 3);
+  EXPECT_EQ(count.own, 1) << "one to one";
   EXPECT_EQ(count.extra + count.again, 0);
 }
 
