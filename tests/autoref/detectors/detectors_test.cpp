@@ -8,6 +8,7 @@
 #include "autoref/detectors/ball.h"
 #include "autoref/detectors/ball_left_field.h"
 #include "autoref/detectors/catalogue.h"
+#include "autoref/detectors/defender_in_area.h"
 #include "autoref/detectors/double_touch.h"
 #include "autoref/detectors/dribbled_too_far.h"
 #include "autoref/detectors/goal.h"
@@ -261,6 +262,34 @@ TEST(NoProgress, KnowsThatAHiddenBallGoesAlongWithARobot) {
       events += detector.update(frame, world::GameState{}).size();
     }
     EXPECT_EQ(events, carried ? 0u : 1u);  // nobody has it: what is foretold for it is no progress
+  }
+}
+
+TEST(DefenderInArea, CarriesTheBallBesideItsGoalieButNotBesideAnOpponent) {
+  // Hidden, at 0.3 m/s, another robot's hull 20 mm from the ball: that may be the goalie, which stands there
+  // as a rule. An opponent so near may have it.
+  for (const bool goalie : {true, false}) {
+    DefenderInArea detector(rules());
+    const world::GameState state;
+    const double own = world::sign(world::defended_side(state, Team::Yellow));
+    std::size_t events = 0;
+    for (int i = 0; i < 20; ++i) {
+      const Vector2d ball(own * 4.1, 0.003 * i);
+      TrackedFrame frame = frame_at(Time{i * 10ms}, ball, true);
+      frame.ball->observed = false;
+      frame.ball->unseen = 100ms + i * 10ms;
+      frame.ball->velocity.y() = 0.3;
+      frame.robots[0].position = ball - Vector2d(0.0945, 0);  // yellow 3, at its front
+      frame.robots[0].velocity = {0, 0.3};
+      world::TrackedRobot other;
+      other.id = goalie ? RobotId{Team::Yellow, static_cast<std::uint8_t>(state.keeper[Team::Yellow])}
+                        : RobotId{Team::Blue, 2};
+      other.position = ball + Vector2d(0.09 + 0.0215 + 0.02, 0);
+      other.orientation = 0;  // its back to the ball
+      frame.robots.push_back(other);
+      events += detector.update(frame, state).size();
+    }
+    EXPECT_EQ(events, goalie ? 1u : 0u);
   }
 }
 
