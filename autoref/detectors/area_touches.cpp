@@ -9,8 +9,9 @@ namespace detectors {
 namespace {
 
 constexpr int frames_needed = 4;
-constexpr double alone = 0.03;  // [m] any other robot's hull from the ball
-constexpr world::Duration hidden_for = std::chrono::milliseconds{300};
+constexpr double alone = 0.03;                 // [m] any opponent's hull from the ball
+constexpr double alone_of_team_mates = 0.012;  // [m] the goalie stands near
+constexpr world::Duration hidden_for = std::chrono::milliseconds{600};
 
 }  // namespace
 
@@ -22,13 +23,17 @@ std::optional<world::Touch> AreaTouches::carried(const world::TrackedFrame& fram
       return world::distance_to_defense_area(field_, side, ball) > 2 * field_.robot_radius;
     };
     if (!far_from_area(world::Side::Negative) || !far_from_area(world::Side::Positive)) {
-      int near = 0;
+      int carriers = 0;
       for (const world::TrackedRobot& robot : frame.robots) {
-        if (gap_to_ball(field_, robot, ball) > alone) continue;
-        ++near;
-        if (carries(field_, robot, *frame.ball)) carrier = &robot;
+        if (!carries(field_, robot, *frame.ball)) continue;
+        carrier = &robot;
+        ++carriers;
       }
-      if (near != 1) carrier = nullptr;
+      const auto may_have_it = [&](const world::TrackedRobot& other) {
+        const double enough = other.id.team == carrier->id.team ? alone_of_team_mates : alone;
+        return other.id != carrier->id && gap_to_ball(field_, other, ball) < enough;
+      };
+      if (carriers != 1 || std::ranges::any_of(frame.robots, may_have_it)) carrier = nullptr;
     }
   }
   if (!carrier) {

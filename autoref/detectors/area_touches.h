@@ -11,8 +11,9 @@ namespace detectors {
 /// Who certainly touched the ball in play near a defense area, and where that robot was then.
 ///
 /// Touches that were reported as at least as probable as `sure`, and a ball that one robot alone has carried
-/// for four frames: such contact begins once and is not reported again. Source  ours; a ball hidden for more
-/// than 0.3 s may be anyone's.
+/// for four frames: such contact begins once and is not reported again. Alone: no opponent within 30 mm, no
+/// team-mate within 12 mm, since the goalie stands beside a defender that offends.
+/// Source  ours; a ball hidden for more than 0.6 s may be anyone's.
 class AreaTouches {
  public:
   struct One {

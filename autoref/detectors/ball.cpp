@@ -84,7 +84,8 @@ double depth_in_area(const world::Field& field, world::Side side, const Vector2d
 
 std::optional<world::RobotId> keeper_with_ball(const world::Field& field, const world::TrackedFrame& frame,
                                                const world::GameState& state) {
-  constexpr double at_hull = 0.02;
+  constexpr double at_hull = 0.015;
+  constexpr double hidden = 0.03;  // the tracker's error of a hidden ball
   if (!frame.ball) return std::nullopt;
   const Vector2d ball = on_ground(*frame.ball);
   for (const world::Team team : world::both_teams) {
@@ -93,8 +94,7 @@ std::optional<world::RobotId> keeper_with_ball(const world::Field& field, const 
     const world::RobotId id{team, static_cast<std::uint8_t>(state.keeper[team])};
     const world::TrackedRobot* keeper = find_robot(frame, id);
     if (!keeper) continue;
-    const double gap = hull_distance(field, *keeper, ball) - field.ball_radius;
-    if (keeper->ball_in_reach || gap < at_hull) return id;
+    if (gap_to_ball(field, *keeper, ball) < (frame.ball->observed ? at_hull : hidden)) return id;
   }
   return std::nullopt;
 }

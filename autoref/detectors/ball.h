@@ -56,7 +56,7 @@ bool in_play(const world::Field& field, const world::GameState& state, const wor
 /// radii when the robot is wholly inside.
 double depth_in_area(const world::Field& field, world::Side side, const world::Vector2d& robot);
 
-/// The goalie that has the ball at its dribbler or within 20 mm of its hull, in its own defense area.
+/// The goalie that has the ball within 15 mm of its hull, 30 mm when nobody sees it, in its own defense area.
 std::optional<world::RobotId> keeper_with_ball(const world::Field& field, const world::TrackedFrame& frame,
                                                const world::GameState& state);
 

@@ -14,8 +14,8 @@ namespace detectors {
 /// m
 ///         in each second, for 12 s.
 /// Guard   time since progress - stuck_time  [s]. Progress is 0.25 m away from where the ball was at most one
-///         second before. A ball that nobody sees makes no progress; a ball that a goalie holds in its area
-///         is KEEPER_HELD_BALL's, where that rule runs.
+///         second before. A ball that nobody sees makes none, unless a robot has it at its dribbler; a ball
+///         that a goalie holds in its area is KEEPER_HELD_BALL's, where that rule runs.
 class NoProgress final : public Detector {
  public:
   explicit NoProgress(const world::RuleSet& rules)

@@ -17,7 +17,8 @@ BallFilter::BallFilter(const world::Geometry& geometry, const Params& params)
     : models_{BallModel{std::max(0.0, geometry.ball_slide_deceleration), density(params.sliding_noise)},
               BallModel{std::max(0.0, geometry.ball_roll_deceleration), density(params.rolling_noise)},
               BallModel{0, density(params.erratic_noise)}},
-      r_(params.ball_sigma * params.ball_sigma),
+      measurement_variance_(params.ball_sigma * params.ball_sigma),
+      r_(measurement_variance_),
       switch_ratio_(geometry.ball_switch_ratio) {}
 
 void BallFilter::start(const Vector2d& position, const Vector2d& velocity, double velocity_sigma) {

@@ -29,6 +29,9 @@ class BallFilter {
   /// Lets time pass. @param dt [s], >= 0  @param near_robot  a robot may be touching the ball
   void predict(double dt, bool near_robot);
 
+  /// The next measurements are so much [m] less certain than others; 0: as certain.
+  void doubt(double sigma) { r_ = measurement_variance_ + sigma * sigma; }
+
   /// Normalised innovation squared of a measurement, by the phase that expects it best; chi-square with 2
   /// degrees of freedom when that phase is right.
   double best_nis(const Vector2d& measured) const;
@@ -55,8 +58,9 @@ class BallFilter {
   void mix(double dt, bool near_robot);
 
   std::array<BallModel, phases> models_;
-  double r_;             // [m^2] measurement variance
-  double switch_ratio_;  // rolling begins at this share of the kick's speed
+  double measurement_variance_;  // [m^2]
+  double r_;                     // [m^2] of the next measurement
+  double switch_ratio_;          // rolling begins at this share of the kick's speed
   std::array<BallEkf, phases> beliefs_;
   std::array<double, phases> weights_{};
 };

@@ -1,6 +1,7 @@
 #include "autoref/tracker/ball_track.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tracker {
@@ -31,6 +32,7 @@ constexpr int kicked_away = 3;         // sightings after which a kicked ball ha
 constexpr double landing_sigma = 0.5;  // [m/s] ours
 constexpr double beside_sigma =
     0.004;  // [m] a ball beside a robot may be partly hidden; ours, from the errors
+constexpr double partly_sigma = 0.003;  // [m] of the centre of a partly hidden ball; ours
 constexpr double hidden_drift = 0.06;   // [m/s] a hidden ball may be moved about; ours, from the errors
 constexpr double hidden_sigma = 0.010;  // [m] at least, of a hidden ball (football.md 3.2)
 constexpr double robot_height = 0.15;   // [m] laws of 2015
@@ -52,14 +54,18 @@ bool in_dribbler_zone(const world::TrackedRobot& robot, const Vector2d& ball) {
 }
 
 BallTrack::BallTrack(const world::Geometry& geometry, const Params& params)
-    : geometry_(geometry), field_(geometry.field), params_(params), filter_(geometry, params) {
+    : geometry_(geometry),
+      field_(geometry.field),
+      params_(params),
+      filter_(geometry, params),
+      hidden_(geometry) {
   candidates_.reserve(max_candidates);
 }
 
 void BallTrack::reset() {
   known_ = false;
-  hold_.reset();
-  hidden_.reset();
+  held_ = false;
+  hidden_.clear();
   study_.reset();
   match_.reset();
   candidates_.clear();
@@ -68,8 +74,8 @@ void BallTrack::reset() {
 void BallTrack::age(world::Time now, std::span<const world::TrackedRobot> robots) {
   if (known_ && now - seen_ > params_.ball_memory) {
     known_ = false;
-    hold_.reset();
-    hidden_.reset();
+    held_ = false;
+    hidden_.clear();
     study_.reset();
   }
   if (known_ && now - seen_ > two_frames) hide(now, robots);
@@ -102,7 +108,7 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
                        std::span<const world::TrackedRobot> robots) {
   const bool flies = study_ && study_->airborne() > 0.5;
   const bool out_of_sight = !flies && time - seen_ > two_frames;
-  const auto hidden = out_of_sight ? concealed(time, robots) : std::nullopt;
+  const auto hidden = out_of_sight ? concealed(balls, time, robots) : std::nullopt;
   const world::Camera* const eye = params_.ball_in_space ? camera_of(camera) : nullptr;
 
   // A ball that was hidden lies where it is believed to be, however long ago that was seen.
@@ -135,11 +141,15 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   }
   if (!nearest) return false;
 
-  const Vector2d& measured = nearest->position;
+  Vector2d measured = nearest->position;
+  if (eye && !flies) measured = whole(measured, *eye, robots);
+  const bool moved = measured != nearest->position;
+  ahead.doubt(moved ? partly_sigma : 0);
+  if (moved) nearest_distance = (measured - expected).norm();
   const bool explained = study_ && eye && study_->explains(measured, time, eye->position);
   const bool expected_by_some = ahead.best_nis(measured) < params_.nis_gate;
   const bool agrees = expected_by_some && nearest_distance < CameraPreference::agreement;
-  if (!flies && nearest_distance < disagreement) {
+  if (!flies && !moved && nearest_distance < disagreement) {
     match_ = Match{measured, ahead.velocity(), ahead.velocity_variance()};
   }
   if (!study_ && !agrees && eye) {
@@ -198,16 +208,57 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   beside_robot_ = near_robot;
   study(measured, time, eye, near_robot);
   remember_hold(robots);
-  if (study_ && hold_ && study_->sightings() >= kicked_away) study_.reset();
+  if (study_ && held_ && study_->sightings() >= kicked_away) study_.reset();
   return true;
 }
 
+// Where the centre of a ball is, of which the camera reports the middle of the part that it sees. What a
+// robot hides on the ground is its hull, drawn out away from the camera's foot.
+Vector2d BallTrack::whole(const Vector2d& seen, const world::Camera& camera,
+                          std::span<const world::TrackedRobot> robots) const {
+  constexpr int steps = 4;
+  const double r = field_.ball_radius;
+  const double stretch = (robot_height - r) / (camera.position.z() - robot_height);
+  double least = r;
+  Vector2d out = Vector2d::Zero();
+  for (const world::TrackedRobot& robot : robots) {
+    const Vector2d drawn_out = stretch * (robot.position - camera.position.head<2>());
+    const double reach = field_.robot_radius + r + drawn_out.norm();
+    if ((robot.position - seen).squaredNorm() > reach * reach) continue;
+    world::TrackedRobot shadow = robot;
+    for (int n = 1; n <= steps; ++n) {
+      shadow.position = robot.position + drawn_out * n / steps;
+      const HiddenBall::Gap its = HiddenBall::gap(field_, shadow, seen);
+      if (its.distance + r >= least) continue;
+      least = its.distance + r;
+      out = its.out;
+    }
+  }
+  if (least >= r) return seen;
+  // Of a disc cut by a straight edge, in radii: from the edge to the middle of what is visible, and from the
+  // disc's centre to that middle (closed form of a circle's segment at shares of 0.4 to 1).
+  static constexpr std::array<std::array<double, 2>, 6> middles = {
+      {{0.353, 0.511}, {0.424, 0.424}, {0.498, 0.340}, {0.667, 0.175}, {0.774, 0.087}, {1, 0}}};
+  const double u = least / r;
+  double back = middles[0][1];
+  for (std::size_t n = 1; n < middles.size(); ++n) {
+    const auto& [u0, back0] = middles[n - 1];
+    const auto& [u1, back1] = middles[n];
+    if (u > u0) back = back0 + (back1 - back0) * (u - u0) / (u1 - u0);
+  }
+  return seen - out * (back * r);
+}
+
 // Where a ball is that nobody sees because a robot has it or hides it; nothing when it should be in view.
-std::optional<BallFilter::Motion> BallTrack::concealed(world::Time now,
+// Of several places the one near which a ball has come into view.
+std::optional<BallFilter::Motion> BallTrack::concealed(std::span<const world::DetectedBall> balls,
+                                                       world::Time now,
                                                        std::span<const world::TrackedRobot> robots) const {
-  if (hold_) return held(robots);
-  if (!hidden_) return std::nullopt;
-  return filter_.foretell(world::seconds(now - seen_));
+  if (!hidden_.active()) return std::nullopt;
+  for (const world::DetectedBall& ball : balls) {
+    if (const auto place = hidden_.nearest(ball.position, held_tolerance, now, robots)) return place;
+  }
+  return hidden_.best(now, robots);
 }
 
 // Two cameras show one ball so far apart, and so much in the direction of height, that it cannot have rolled:
@@ -275,26 +326,20 @@ void BallTrack::take_over() {
   known_ = true;
   seen_ = best->last_seen();
   camera_ = {};
-  hold_.reset();
-  hidden_.reset();
+  held_ = false;
+  hidden_.clear();
   study_.reset();
   candidates_.clear();
 }
 
-BallTrack::Hold BallTrack::hold_of(const world::TrackedRobot& robot, const Vector2d& ball) {
-  return {robot.id, world::rotated(ball - robot.position, -robot.orientation)};
-}
-
 void BallTrack::remember_hold(std::span<const world::TrackedRobot> robots) {
-  hold_.reset();
-  hidden_.reset();
+  held_ = false;
+  hidden_.clear();
   // Where a ball above the robots is seen on the ground it only seems to be at a dribbler.
   if (study_ && study_->airborne() > 0.5 && study_->filter_at(seen_).position().z() > robot_height) return;
   const Vector2d ball = filter_.position();
   for (const world::TrackedRobot& robot : robots) {
-    if (!in_dribbler_zone(robot, ball)) continue;
-    hold_ = hold_of(robot, ball);
-    return;
+    held_ = held_ || in_dribbler_zone(robot, ball);
   }
 }
 
@@ -303,54 +348,33 @@ const world::Camera* BallTrack::camera_of(int id) const {
   return found == geometry_.cameras.end() || !(found->position.z() > robot_height) ? nullptr : &*found;
 }
 
-// The robot between the ball and the camera nearest to it: the line of sight passes under the robot's top.
-const world::TrackedRobot* BallTrack::hider(const Vector2d& ball,
-                                            std::span<const world::TrackedRobot> robots) const {
-  const world::Camera* nearest = nullptr;
-  for (const world::Camera& camera : geometry_.cameras) {
-    const auto way = [&](const world::Camera& c) { return (c.position.head<2>() - ball).squaredNorm(); };
-    if (camera.position.z() > robot_height && (!nearest || way(camera) < way(*nearest))) nearest = &camera;
-  }
-  if (!nearest) return nullptr;
-  const double share = (robot_height - field_.ball_radius) / (nearest->position.z() - field_.ball_radius);
-  const world::Segment sight{ball, ball + share * (nearest->position.head<2>() - ball)};
-  for (const world::TrackedRobot& robot : robots) {
-    if (world::distance(sight, robot.position) < field_.robot_radius) return &robot;
-  }
-  return nullptr;
-}
-
-// A ball that nobody sees lies or rolls where a robot hides it; when it would have come into view, or have
-// rolled into a robot, it is with that robot.
+// A ball that nobody sees has rolled into a robot, or lies or rolls where one hides it, or was at a dribbler:
+// then robots are why. Else it only was not reported.
 void BallTrack::hide(world::Time now, std::span<const world::TrackedRobot> robots) {
-  if (hold_ || (study_ && study_->airborne() > 0.5)) return;
-  const Vector2d from = filter_.position();
-  const Vector2d there = filter_.foretell(world::seconds(now - seen_)).position;
-  const double contact = field_.robot_radius + field_.ball_radius - pressed;
-  for (const world::TrackedRobot& robot : robots) {
-    const Vector2d nearest = world::closest_point({from, there}, robot.position);
-    const Vector2d off = nearest - robot.position;
-    if (off.norm() >= contact) continue;
-    const Vector2d out = off.norm() > 0 ? Vector2d(off.normalized()) : Vector2d(-robot.velocity.normalized());
-    hold_ = hold_of(robot, robot.position + out * (contact + pressed));
+  if (hidden_.active()) {
+    hidden_.advance(now, robots);
     return;
   }
-  if (const world::TrackedRobot* robot = hider(there, robots)) {
-    hidden_ = hold_of(*robot, there);
-  } else if (hidden_) {
-    hold_ = hidden_;
+  BallFilter::Motion lost{filter_.position(), filter_.velocity()};
+  Vector2d there = filter_.foretell(world::seconds(now - seen_)).position;
+  world::Time lost_at = seen_;
+  const bool flew = study_ && study_->airborne() > 0.5;
+  if (flew) {
+    const AirFilter air = study_->filter_at(now);
+    if (air.position().z() > robot_height) return;
+    lost_at = now - one_frame;
+    const AirFilter before = study_->filter_at(lost_at);
+    lost = {before.position().head<2>(), before.velocity().head<2>()};
+    there = air.position().head<2>();
   }
-}
-
-std::optional<BallFilter::Motion> BallTrack::held(std::span<const world::TrackedRobot> robots) const {
-  if (!hold_) return std::nullopt;
-  for (const world::TrackedRobot& robot : robots) {
-    if (robot.id != hold_->robot) continue;
-    const Vector2d arm = world::rotated(hold_->ball_local, robot.orientation);
-    return BallFilter::Motion{robot.position + arm,
-                              robot.velocity + robot.angular_velocity * Vector2d(-arm.y(), arm.x())};
-  }
-  return std::nullopt;
+  const double contact = field_.robot_radius + field_.ball_radius - pressed;
+  const bool met = std::ranges::any_of(robots, [&](const world::TrackedRobot& robot) {
+    return world::distance({lost.position, there}, robot.position) < contact;
+  });
+  if (!met && (flew || (!held_ && !hidden_.hider(there, robots)))) return;
+  study_.reset();
+  hidden_.start(lost, lost_at, robots);
+  hidden_.advance(now, robots);
 }
 
 world::TrackedBall BallTrack::foretell(world::Time time, std::span<const world::TrackedRobot> robots) const {
@@ -368,12 +392,13 @@ world::TrackedBall BallTrack::foretell(world::Time time, std::span<const world::
     }
     ball.airborne = 0;
   }
-  const auto carried = ball.unseen > two_frames ? held(robots) : std::nullopt;
-  const BallFilter::Motion state = carried ? *carried : filter_.foretell(world::seconds(ball.unseen));
+  const bool hidden = ball.unseen > two_frames && hidden_.active();
+  const BallFilter::Motion state =
+      hidden ? hidden_.best(time, robots) : filter_.foretell(world::seconds(ball.unseen));
   ball.position.head<2>() = state.position;
   ball.velocity.head<2>() = state.velocity;
-  const double unsure = carried || hidden_ ? hidden_sigma + hidden_drift * world::seconds(ball.unseen)
-                                           : (beside_robot_ ? beside_sigma : 0);
+  const double unsure =
+      hidden ? hidden_sigma + hidden_drift * world::seconds(ball.unseen) : (beside_robot_ ? beside_sigma : 0);
   ball.sigma = std::hypot(state.sigma, unsure);
   return ball;
 }

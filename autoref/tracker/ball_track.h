@@ -7,6 +7,7 @@
 #include "autoref/tracker/ball_filter.h"
 #include "autoref/tracker/camera_preference.h"
 #include "autoref/tracker/candidate.h"
+#include "autoref/tracker/hidden_ball.h"
 #include "autoref/tracker/kick_study.h"
 #include "sim/world/detection.h"
 #include "sim/world/tracked_frame.h"
@@ -50,21 +51,15 @@ class BallTrack {
   world::TrackedBall foretell(world::Time time, std::span<const world::TrackedRobot> robots) const;
 
  private:
-  struct Hold {  // the ball at a dribbler when it was last seen, or taken along by who hides it
-    world::RobotId robot;
-    Vector2d ball_local = Vector2d::Zero();  // [m]
-  };
-  static Hold hold_of(const world::TrackedRobot& robot, const Vector2d& ball);
-
   bool follow(std::span<const world::DetectedBall> balls, world::Time time, int camera,
               std::span<const world::TrackedRobot> robots);
   void consider(const Vector2d& position, world::Time time);
   void take_over();
-  std::optional<BallFilter::Motion> held(std::span<const world::TrackedRobot> robots) const;
-  std::optional<BallFilter::Motion> concealed(world::Time now,
+  std::optional<BallFilter::Motion> concealed(std::span<const world::DetectedBall> balls, world::Time now,
                                               std::span<const world::TrackedRobot> robots) const;
+  Vector2d whole(const Vector2d& seen, const world::Camera& camera,
+                 std::span<const world::TrackedRobot> robots) const;
   void hide(world::Time now, std::span<const world::TrackedRobot> robots);
-  const world::TrackedRobot* hider(const Vector2d& ball, std::span<const world::TrackedRobot> robots) const;
   const world::Camera* camera_of(int id) const;
   std::optional<Vector3d> lifted(const Vector2d& seen, world::Time time, const world::Camera& camera) const;
   void study(const Vector2d& measured, world::Time time, const world::Camera* camera, bool near_robot);
@@ -79,8 +74,8 @@ class BallTrack {
   bool known_ = false;
   world::Time seen_;
   CameraPreference camera_;
-  std::optional<Hold> hold_;
-  std::optional<Hold> hidden_;  // where it was, seen from the robot that hid it in the last frame
+  bool held_ = false;  // at a dribbler when it was last seen
+  HiddenBall hidden_;  // active while nobody sees it and robots are why
   std::optional<KickStudy> study_;
   std::optional<Match> match_;
   Vector2d measured_ = Vector2d::Zero();  // [m] the last sighting that was used

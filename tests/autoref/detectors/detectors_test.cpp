@@ -8,9 +8,11 @@
 #include "autoref/detectors/ball.h"
 #include "autoref/detectors/ball_left_field.h"
 #include "autoref/detectors/catalogue.h"
+#include "autoref/detectors/defender_in_area.h"
 #include "autoref/detectors/double_touch.h"
 #include "autoref/detectors/dribbled_too_far.h"
 #include "autoref/detectors/goal.h"
+#include "autoref/detectors/keeper_held_ball.h"
 #include "autoref/detectors/kick_taken.h"
 #include "autoref/detectors/kicked_too_fast.h"
 #include "autoref/detectors/no_progress.h"
@@ -244,6 +246,73 @@ TEST(NoProgress, CountsAnySecondNotOnlyWholeOnes) {
     const int phase = (i + 35) % 200;
     const double x = 0.3 * (i + 35 - phase) / 200.0 + 0.3 * std::clamp((phase - 120) / 30.0, 0.0, 1.0);
     EXPECT_TRUE(detector.update(frame_at(Time{i * 10ms}, {x - 2, 0}), world::GameState{}).empty()) << i;
+  }
+}
+
+TEST(NoProgress, KnowsThatAHiddenBallGoesAlongWithARobot) {
+  // Carried at 0.3 m/s, seen for a moment every two seconds only, as by a slow robot with its back to the
+  // camera.
+  for (const bool carried : {true, false}) {
+    NoProgress detector(rules());
+    std::size_t events = 0;
+    for (int i = 0; i < 2000; ++i) {
+      TrackedFrame frame = frame_at(Time{i * 10ms}, {-3 + 0.003 * i, 0});
+      frame.ball->observed = i == 0;
+      frame.robots[0].ball_in_reach = carried;
+      events += detector.update(frame, world::GameState{}).size();
+    }
+    EXPECT_EQ(events, carried ? 0u : 1u);  // nobody has it: what is foretold for it is no progress
+  }
+}
+
+TEST(DefenderInArea, CarriesTheBallBesideItsGoalieButNotBesideAnOpponent) {
+  // Hidden, at 0.3 m/s, another robot's hull 20 mm from the ball: that may be the goalie, which stands there
+  // as a rule. An opponent so near may have it.
+  for (const bool goalie : {true, false}) {
+    DefenderInArea detector(rules());
+    const world::GameState state;
+    const double own = world::sign(world::defended_side(state, Team::Yellow));
+    std::size_t events = 0;
+    for (int i = 0; i < 20; ++i) {
+      const Vector2d ball(own * 4.1, 0.003 * i);
+      TrackedFrame frame = frame_at(Time{i * 10ms}, ball, true);
+      frame.ball->observed = false;
+      frame.ball->unseen = 100ms + i * 10ms;
+      frame.ball->velocity.y() = 0.3;
+      frame.robots[0].position = ball - Vector2d(0.0945, 0);  // yellow 3, at its front
+      frame.robots[0].velocity = {0, 0.3};
+      world::TrackedRobot other;
+      other.id = goalie ? RobotId{Team::Yellow, static_cast<std::uint8_t>(state.keeper[Team::Yellow])}
+                        : RobotId{Team::Blue, 2};
+      other.position = ball + Vector2d(0.09 + 0.0215 + 0.02, 0);
+      other.orientation = 0;  // its back to the ball
+      frame.robots.push_back(other);
+      events += detector.update(frame, state).size();
+    }
+    EXPECT_EQ(events, goalie ? 1u : 0u);
+  }
+}
+
+TEST(KeeperHeldBall, WantsTheBallAtItsHull) {
+  // 25 mm before the front is not held (the truth's limit is 5 mm); 25 mm may be, if nobody sees it.
+  for (const bool observed : {true, false}) {
+    for (const double gap : {0.005, 0.025}) {
+      KeeperHeldBall detector(rules());
+      world::GameState state;
+      std::size_t events = 0;
+      for (int i = 0; i < 1600; ++i) {
+        TrackedFrame frame = frame_at(Time{i * 10ms}, {0, 0});
+        world::TrackedRobot& keeper = frame.robots[0];
+        const double own = world::sign(world::defended_side(state, keeper.id.team));
+        keeper.id.number = static_cast<std::uint8_t>(state.keeper[keeper.id.team]);
+        keeper.position = {4.2 * own, 0};
+        keeper.orientation = 0;
+        frame.ball->position.head<2>() = keeper.position + Vector2d(0.073 + 0.0215 + gap, 0);
+        frame.ball->observed = observed;
+        events += detector.update(frame, state).size();
+      }
+      EXPECT_EQ(events, gap < 0.01 || !observed ? 1u : 0u) << gap << observed;
+    }
   }
 }
 
