@@ -47,6 +47,16 @@ void Trail::learn(Camera& camera, const world::Detection& image, const world::Tr
   camera.known = true;
 }
 
+optics::WholeBall Trail::whole(const Vector2d& seen, const world::Detection& image) const {
+  const auto camera = std::ranges::find(geometry_.cameras, image.camera, &world::Camera::id);
+  if (camera == geometry_.cameras.end()) return {seen};
+  optics::PartlyHidden ball(field_, *camera, seen);
+  for (const world::DetectedRobot& robot : image.robots) {
+    if (robot.orientation) ball.beside(robot.position, *robot.orientation);
+  }
+  return ball.whole();
+}
+
 TrailPoint& Trail::push() {
   newest_ = (newest_ + 1) % memory;
   ++count_;
@@ -75,7 +85,7 @@ void Trail::add(const world::TrackedFrame& frame, std::span<const world::Detecti
     for (const world::DetectedBall& seen : image.balls) {
       const double distance = (seen.position - its.offset - expected).norm();
       if (!(distance < least)) continue;
-      found = frame.ball->flight ? optics::WholeBall{seen.position} : hidden_.whole(seen.position, image);
+      found = frame.ball->flight ? optics::WholeBall{seen.position} : whole(seen.position, image);
       least = distance;
     }
     if (!found || (chosen && chosen->camera == followed_)) continue;

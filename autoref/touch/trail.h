@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "autoref/optics/hidden_ball.h"
+#include "autoref/optics/partly_hidden.h"
 #include "autoref/touch/views.h"
 #include "sim/world/detection.h"
 #include "sim/world/field.h"
@@ -45,7 +45,7 @@ class Trail {
  public:
   static constexpr int memory = 256;  ///< four seconds
 
-  explicit Trail(const world::Geometry& geometry) : field_(geometry.field), hidden_(geometry) {}
+  explicit Trail(const world::Geometry& geometry) : geometry_(geometry), field_(geometry_.field) {}
 
   /// @param told, probability  who is thought to be the last toucher now
   void add(const world::TrackedFrame& frame, std::span<const world::Detection> images, std::size_t told,
@@ -69,8 +69,10 @@ class Trail {
   void learn(Camera& camera, const world::Detection& image, const world::TrackedFrame& frame);
   TrailPoint& push();
 
+  optics::WholeBall whole(const Vector2d& seen, const world::Detection& image) const;
+
+  world::Geometry geometry_;
   world::Field field_;
-  optics::HiddenBall hidden_;
   std::array<TrailPoint, memory> ring_;
   int newest_ = -1;
   int count_ = 0;

@@ -1,8 +1,9 @@
 #include "autoref/tracker/ball_track.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "autoref/optics/partly_hidden.h"
 
 namespace tracker {
 namespace {
@@ -212,41 +213,11 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   return true;
 }
 
-// Where the centre of a ball is, of which the camera reports the middle of the part that it sees. What a
-// robot hides on the ground is its hull, drawn out away from the camera's foot.
 Vector2d BallTrack::whole(const Vector2d& seen, const world::Camera& camera,
                           std::span<const world::TrackedRobot> robots) const {
-  constexpr int steps = 4;
-  const double r = field_.ball_radius;
-  const double stretch = (robot_height - r) / (camera.position.z() - robot_height);
-  double least = r;
-  Vector2d out = Vector2d::Zero();
-  for (const world::TrackedRobot& robot : robots) {
-    const Vector2d drawn_out = stretch * (robot.position - camera.position.head<2>());
-    const double reach = field_.robot_radius + r + drawn_out.norm();
-    if ((robot.position - seen).squaredNorm() > reach * reach) continue;
-    world::TrackedRobot shadow = robot;
-    for (int n = 1; n <= steps; ++n) {
-      shadow.position = robot.position + drawn_out * n / steps;
-      const HiddenBall::Gap its = HiddenBall::gap(field_, shadow, seen);
-      if (its.distance + r >= least) continue;
-      least = its.distance + r;
-      out = its.out;
-    }
-  }
-  if (least >= r) return seen;
-  // Of a disc cut by a straight edge, in radii: from the edge to the middle of what is visible, and from the
-  // disc's centre to that middle (closed form of a circle's segment at shares of 0.4 to 1).
-  static constexpr std::array<std::array<double, 2>, 6> middles = {
-      {{0.353, 0.511}, {0.424, 0.424}, {0.498, 0.340}, {0.667, 0.175}, {0.774, 0.087}, {1, 0}}};
-  const double u = least / r;
-  double back = middles[0][1];
-  for (std::size_t n = 1; n < middles.size(); ++n) {
-    const auto& [u0, back0] = middles[n - 1];
-    const auto& [u1, back1] = middles[n];
-    if (u > u0) back = back0 + (back1 - back0) * (u - u0) / (u1 - u0);
-  }
-  return seen - out * (back * r);
+  optics::PartlyHidden ball(field_, camera, seen);
+  for (const world::TrackedRobot& robot : robots) ball.beside(robot.position, robot.orientation);
+  return ball.whole().position;
 }
 
 // Where a ball is that nobody sees because a robot has it or hides it; nothing when it should be in view.
