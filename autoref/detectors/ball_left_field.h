@@ -14,7 +14,9 @@ namespace detectors {
 /// Where   the point where the way from the last place inside to the present place crosses the boundary.
 /// Resets  when the ball is inside. A ball between the posts is the goal detector's; here it counts neither
 /// as
-///         inside nor as outside until it is behind the goal (a chip over the bar).
+///         inside nor as outside until it is behind the goal (a chip over the bar). A robot that hides the
+///         ball carries it out: exit_frames_hidden in which it is believed well outside, at a robot, make it
+///         certain, when it was seen half a second before it left.
 /// Source  Algorithm 2 with I-6 and I-25. Ours: after a jump that no ball can make, exit_frames_jump, since
 /// it
 ///         is more likely a false ball; for a way through the goal's mouth exit_frames_mouth, since the
@@ -25,13 +27,15 @@ class BallLeftField final : public Detector {
       : field_(rules.field),
         frames_(rules.exit_frames),
         frames_mouth_(rules.exit_frames_mouth),
-        frames_jump_(rules.exit_frames_jump) {}
+        frames_jump_(rules.exit_frames_jump),
+        frames_hidden_(rules.exit_frames_hidden) {}
 
   Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     last_inside_.reset();
     first_outside_.reset();
     count_ = 0;
+    hidden_ = 0;
     reported_ = false;
   }
 
@@ -41,15 +45,20 @@ class BallLeftField final : public Detector {
     world::Vector2d ball;
   };
 
-  int frames_needed(bool in_mouth) const;
+  Events judge(const world::TrackedFrame& frame, const world::Vector2d& ball, const world::GameState& state);
+  bool is_carried_out(const world::TrackedFrame& frame);
+  double guard(const world::Vector2d& ball) const;
+  bool is_certain(bool in_mouth) const;
 
   world::Field field_;
   int frames_;
   int frames_mouth_;
   int frames_jump_;
-  std::optional<Sample> last_inside_;
+  int frames_hidden_;
+  std::optional<Sample> last_inside_;  // seen, or hidden by a robot
   std::optional<Sample> first_outside_;
   int count_ = 0;          // observed frames outside in a row
+  int hidden_ = 0;         // frames among them in which a robot hid it outside
   bool reported_ = false;  // this exit has been reported
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <boost/container/static_vector.hpp>
+
 #include "autoref/detectors/detector.h"
 #include "autoref/detectors/goal.h"
 
@@ -12,8 +14,9 @@ namespace detectors {
 ///         while below 150 mm, and without having rolled ("stopped bouncing"). Into the robot's own goal it
 ///         counts, unless a touch of an opponent made it rise above 150 mm: then that opponent is the one.
 /// Guard   that of the goal, in the same tick, which it spoils. A ball is high when TrackedBall::position or
-///         Flight::highest says so; it rolls when it had no flight for chip_rolling.
-/// Blames  who touched the ball last before it was high.
+///         Flight::highest says so, and the filter became sure that it flew; it rolls when it had no flight
+///         for chip_rolling, or for landed_rolling if its flight ended on the ground.
+/// Blames  who touched the ball last before it was high, but nobody above whom it passed.
 /// Limits  as good as the filter's heights; with RuleSet::chip_model off no ball is ever high.
 class ChippedGoal final : public Detector {
  public:
@@ -24,6 +27,8 @@ class ChippedGoal final : public Detector {
   void reset() override {
     chips_ = {};
     grounded_since_.reset();
+    touches_.clear();
+    last_height_ = 0;
     goal_.reset();
   }
 
@@ -32,17 +37,22 @@ class ChippedGoal final : public Detector {
     world::RobotId by;
     world::Vector2d kick;  // [m]
     double highest = 0;    // [m] top of the ball
+    bool sure = false;     // that there was a flight
   };
 
-  void watch_height(const world::TrackedFrame& frame, const world::GameState& state);
-  void watch_touches(const world::TrackedFrame& frame);
+  void watch_height(const world::TrackedFrame& frame);
+  void watch_certainty(const world::TrackedBall& ball);
+  void watch_touches(const world::TrackedFrame& frame, const world::GameState& state);
+  const world::Touch* toucher(const world::Flight& flight) const;
 
   world::Field field_;
   double height_;
   world::Duration rolling_;
   Goal goal_;
-  world::PerTeam<std::optional<Chip>> chips_;  // by the team that made the ball fly
-  std::optional<world::Time> grounded_since_;  // first frame in a row without flight
+  world::PerTeam<std::optional<Chip>> chips_;                 // by the team that made the ball fly
+  boost::container::static_vector<world::Touch, 4> touches_;  // the last of each robot, oldest first
+  std::optional<world::Time> grounded_since_;                 // first frame in a row without flight
+  double last_height_ = 0;                                    // [m] of the ball in its last flight
 };
 
 }  // namespace detectors

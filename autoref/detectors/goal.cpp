@@ -12,6 +12,8 @@ namespace {
 constexpr int frames_to_stay = 9;
 constexpr int frames_before_return = 2;
 constexpr int frames_behind = 3;
+constexpr double at_post = 0.06;  // [m] a ball that hits a post seems to pass beside it for a frame
+constexpr world::Duration post_frames = std::chrono::milliseconds{60};
 constexpr double back_margin = 0.05;  // [m] overshoot of the filter at the goal's back
 constexpr world::Duration unseen_limit = std::chrono::milliseconds{500};
 
@@ -60,9 +62,14 @@ void Goal::watch_for_entry(const world::TrackedFrame& frame, const world::Vector
   const Sample before = *last_in_front_;
   last_in_front_.reset();  // one crossing, one decision
 
+  const Crossing where = crossing(field_, before.ball, ball);
+  const double beside = std::abs(where.point.y()) - field_.goal_width / 2;
+  if (!where.in_mouth && where.goal_line && beside < at_post && frame.time - before.time < post_frames) {
+    last_in_front_ = before;
+    return;
+  }
   if (!plausible_step(before.ball, ball, frame.time - before.time)) return;
   if (frame.ball->position.z() > field_.goal_height) return;
-  const Crossing where = crossing(field_, before.ball, ball);
   if (!where.in_mouth) return;
   const auto when = world::rising_zero({before.time, guard(before.ball)}, {frame.time, guard(ball)});
   Entry entry;

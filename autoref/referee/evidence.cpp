@@ -21,6 +21,7 @@ struct ThresholdsOf {
     return {{"exit_frames", rules.exit_frames},
             {"exit_frames_mouth", rules.exit_frames_mouth},
             {"exit_frames_jump", rules.exit_frames_jump},
+            {"exit_frames_hidden", rules.exit_frames_hidden},
             {"ball_radius", rules.field.ball_radius}};
   }
   Thresholds operator()(const world::BallLeftFieldTouchLine&) const { return exit(); }

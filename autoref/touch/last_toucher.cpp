@@ -36,6 +36,7 @@ void LastToucher::reset() {
   belief_.fill(0);
   told_.reset();
   flew_.reset();
+  struck_.reset();
 }
 
 void LastToucher::update(const world::TrackedFrame& frame, std::span<const world::Detection> images,
@@ -55,6 +56,10 @@ void LastToucher::update(const world::TrackedFrame& frame, std::span<const world
     return;
   }
   if (frame.ball && frame.ball->airborne > 0.5) flew_ = frame.time;
+  if (frame.ball && frame.ball->flight && frame.ball->flight->struck) {
+    believe_strike(*frame.ball);
+    if (fresh_) return tell(fresh_, out);
+  }
   if (!view || frame.ball->position.z() > robot_height) return;  // above everybody
   const bool flew = flew_ && frame.time - *flew_ < params_.after_flight;
   const double airborne = std::max(frame.ball->airborne, flew ? params_.flies_on : 0.0);
@@ -80,6 +85,20 @@ void LastToucher::update(const world::TrackedFrame& frame, std::span<const world
 
 bool LastToucher::is_out(const Vector2d& ball) const {
   return world::distance_outside_lines(field_, ball) > field_.ball_radius + params_.just_out;
+}
+
+void LastToucher::believe_strike(const world::TrackedBall& ball) {
+  const world::Flight::Struck& strike = *ball.flight->struck;
+  if (struck_ == strike.time || strike.robot.number > world::max_robot_number) return;
+  struck_ = strike.time;
+  const double share = ball.airborne * params_.struck;
+  for (double& b : belief_) b *= 1 - share;
+  const std::size_t robot = slot(strike.robot);
+  belief_[robot] += share;
+  visit_.reset();
+  remember(robot, strike.time, ball.position.head<2>());
+  fresh_ = robot;
+  sure_[robot] = last_[robot];
 }
 
 void LastToucher::judge_hidden(const world::TrackedFrame& frame) {

@@ -48,6 +48,8 @@ class LastToucher {
   /// Whether the ball is so far outside that a touch there is not the last one before it left.
   bool is_out(const Vector2d& ball) const;
   void judge_hidden(const world::TrackedFrame& frame);
+  /// A robot that a flying ball bounced off has touched it.
+  void believe_strike(const world::TrackedBall& ball);
   void judge_window(const View& view, const world::TrackedBall& ball, double airborne);
   /// Whether a ball in flight was above or beside the robot that long ago [s].
   bool flies_past(const world::TrackedBall& ball, double ago, const Sighting::Robot& robot) const;
@@ -64,7 +66,8 @@ class LastToucher {
   Trail trail_;
   int outside_ = 0;  // sightings in a row of a ball wholly outside
   std::optional<Visit> visit_;
-  std::optional<world::Time> flew_;  // when the ball was last known to be in the air
+  std::optional<world::Time> flew_;    // when the ball was last known to be in the air
+  std::optional<world::Time> struck_;  // when a robot struck the ball in the air
   Beliefs belief_{};
   Beliefs at_the_time_{};                          // before the ball's way was gone through again
   std::array<world::Touch, robot_slots> first_{};  // of each robot, its last contact: when it began

@@ -55,6 +55,7 @@ struct LikelihoodParams {
   double flies_on = 0.8;  ///< chance that it is in the air for a while after it was known to be,
   world::Duration after_flight = std::chrono::milliseconds{350};  ///< when its hops are lost sight of
   double flight_gap = 0.04;  ///< [m] from a robot, in space, a ball in flight has passed it
+  double struck = 0.9;       ///< probability of a touch when a flying ball changed its course at a robot
   double too_high = 0.9;     ///< of balls in the air are too high for contact
 
   double just_out = 0.03;  ///< [m] beyond the line a touch is no more the last before it, whatever its date

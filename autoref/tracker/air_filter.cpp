@@ -19,6 +19,7 @@ constexpr double restitution = 0.5;     // of the vertical speed: .47 to .57 (fo
 constexpr double first_keep = 5.0 / 7;  // of the horizontal speed: .71 (football.md 5), a sphere that grips
 constexpr double later_keep = 0.9;      // .85 (TIGERs) to 1, a ball that rolls already
 constexpr double keep_sigma = 0.08;     // share of the speed
+constexpr double cover_sigma = 0.5;     // [m/s] per axis after a bounce on a robot, which moves; ours
 constexpr double lowest_hop = 0.010;    // [m] lower ones are rolling (football.md 3.3)
 constexpr double highest_share = 0.9;   // of the camera's height, beyond which nothing is seen
 
@@ -36,6 +37,25 @@ AirFilter::AirFilter(const Vector3d& place, double sigma) : AirFilter(Vector2d(p
   x_[5] = 0;
   p_(4, 4) = sigma * sigma;
   p_(5, 5) = usual_rise * usual_rise;
+}
+
+void AirFilter::strike() {
+  for (int i = 1; i < 6; i += 2) {
+    p_.row(i).setZero();
+    p_.col(i).setZero();
+  }
+  p_(1, 1) = p_(3, 3) = speed_sigma * speed_sigma;
+  p_(5, 5) = rise_sigma * rise_sigma;
+  rolls_ = false;
+}
+
+void AirFilter::bounce_on(double height) {
+  const double below = height - x_[4];
+  bounce();
+  x_[4] = height + restitution * std::max(0.0, below);
+  rolls_ = false;
+  p_(4, 4) = std::max(p_(4, 4), height_sigma * height_sigma);
+  for (int i = 1; i < 6; i += 2) p_(i, i) += cover_sigma * cover_sigma;
 }
 
 void AirFilter::fly(double dt) {

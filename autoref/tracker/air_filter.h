@@ -27,6 +27,10 @@ class AirFilter {
 
   /// Lets time pass. @pre dt >= 0 [s]
   void predict(double dt);
+  /// Something struck the ball where it is: any velocity along the ground, about the same rise.
+  void strike();
+  /// The ball comes down on something flat `height` above the ground [m], and bounces there.
+  void bounce_on(double height);
 
   struct Fit {
     double nis = 0;      ///< chi-square with 2 degrees of freedom

@@ -26,6 +26,7 @@ constexpr world::Duration one_frame = 17ms;
 constexpr world::Duration two_frames = 34ms;
 constexpr double most_height = 2.0;              // [m] of a chipped ball: 1.8 m for 6 m/s straight up
 constexpr world::Duration before_seen = 4ms;     // a kick shows little so soon after it; ours
+constexpr world::Duration after_seen = 8ms;      // it may touch the robot first and be kicked then; ours
 constexpr world::Duration out_of_hiding = 50ms;  // a kicked ball comes into view within this; ours
 constexpr double kick_place_sigma = 0.010;       // [m] ours
 constexpr double hidden_kick_sigma = 0.025;      // [m] ours
@@ -37,6 +38,7 @@ constexpr double partly_sigma = 0.003;  // [m] of the centre of a partly hidden 
 constexpr double hidden_drift = 0.06;   // [m/s] a hidden ball may be moved about; ours, from the errors
 constexpr double hidden_sigma = 0.010;  // [m] at least, of a hidden ball (football.md 3.2)
 constexpr double robot_height = 0.15;   // [m] laws of 2015
+constexpr double least_flight = 0.03;   // [m] lower a struck ball is on the ground at once; ours
 constexpr double pressed = 0.005;       // [m] a ball this deep in a hull has met it; ours
 
 double hull_gap(const world::Field& field, const world::TrackedRobot& robot, const world::Segment& path) {
@@ -105,6 +107,37 @@ bool BallTrack::could_be_struck(const Vector2d& from, const Vector2d& to,
   });
 }
 
+std::optional<world::RobotId> BallTrack::robot_below(world::Time time,
+                                                     std::span<const world::TrackedRobot> robots) const {
+  const Vector2d ball = study_->filter_at(time).position().head<2>();
+  const auto is_below = [&](const world::TrackedRobot& robot) {
+    return (robot.position - ball).norm() < field_.robot_radius;
+  };
+  const auto below = std::ranges::find_if(robots, is_below);
+  return below == robots.end() ? std::nullopt : std::optional(below->id);
+}
+
+// A ball that flies meets robots that are higher than it is, and the goal and the walls behind the lines.
+BallTrack::Strike BallTrack::struck_in_the_air(world::Time time,
+                                               std::span<const world::TrackedRobot> robots) const {
+  const Vector3d from = study_->filter_at(seen_).position();
+  const Vector3d to = study_->filter_at(time).position();
+  const double height = std::min(from.z(), to.z());
+  Strike strike;
+  if (height < least_flight) return strike;
+  strike.possible = world::distance_outside_lines(field_, to.head<2>()) > -wall_reach;
+  if (height > robot_height + params_.near_gap) return strike;
+  const world::Segment path{from.head<2>(), to.head<2>()};
+  double nearest = params_.near_gap;
+  for (const world::TrackedRobot& robot : robots) {
+    const double gap = hull_gap(field_, robot, path);
+    if (gap >= nearest) continue;
+    nearest = gap;
+    strike = {true, robot.id};
+  }
+  return strike;
+}
+
 bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time time, int camera,
                        std::span<const world::TrackedRobot> robots) {
   const bool flies = study_ && study_->airborne() > 0.5;
@@ -147,7 +180,8 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   const bool moved = measured != nearest->position;
   ahead.doubt(moved ? partly_sigma : 0);
   if (moved) nearest_distance = (measured - expected).norm();
-  const bool explained = study_ && eye && study_->explains(measured, time, eye->position);
+  const KickStudy::Surroundings around{near_robot, flies ? robot_below(time, robots) : std::nullopt};
+  const bool explained = study_ && eye && study_->explains(measured, time, eye->position, around);
   const bool expected_by_some = ahead.best_nis(measured) < params_.nis_gate;
   const bool agrees = expected_by_some && nearest_distance < CameraPreference::agreement;
   if (!flies && !moved && nearest_distance < disagreement) {
@@ -160,7 +194,7 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
     }
   }
   if (!agrees && nearest_distance < disagreement && camera_.distrusts(camera, time)) {
-    if (explained) study(measured, time, eye, near_robot);
+    if (explained) study(measured, time, eye, around);
     return true;
   }
   if (hidden && nearest_distance < held_tolerance) {
@@ -169,12 +203,21 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
     seen_ = time;
     camera_.used(camera, time);
     remember_hold(robots);
+    if (near_robot && eye) {  // it comes into view by itself, or because it was kicked just now
+      const Vector2d place = hidden->position - hidden->velocity * world::seconds(one_frame);
+      const KickPoint kick{time - one_frame, time + one_frame, place, hidden->velocity, hidden_kick_sigma};
+      study_.emplace(geometry_, kick, params_.ball_sigma);
+      study(measured, time, eye, around);
+    }
     return true;
   }
   const double travelled = (measured - from).norm();
   if (!explained && travelled > params_.max_ball_speed * dt + least_gate) return false;
   bool kicked = false;
-  if (expected_by_some) {
+  const Strike strike = flies && eye && !explained ? struck_in_the_air(time, robots) : Strike{};
+  if (strike.possible) {
+    ahead.start(measured, (measured - from) / std::max(dt, half_frame), params_.kick_sigma);
+  } else if (expected_by_some) {
     ahead.update(measured);
   } else if (explained) {
     ahead.start(measured, filter_.velocity(), params_.kick_sigma);
@@ -186,6 +229,7 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   } else {
     return false;
   }
+  if (strike.possible) study_ = KickStudy(*study_, time, from, strike.by);
   if (kicked) {
     study_.reset();
     const bool by_robot = std::ranges::any_of(robots, [&](const world::TrackedRobot& robot) {
@@ -194,9 +238,9 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
     if (by_robot && eye) {
       KickPoint kick;
       kick.earliest = hidden ? time - out_of_hiding : seen_ - before_seen;
-      kick.latest = time;
+      kick.latest = time + (hidden ? world::Duration{} : after_seen);
       kick.place = from;
-      if (hidden) kick.carried = hidden->velocity;
+      kick.carried = hidden ? hidden->velocity : filter_.velocity();
       kick.sigma = hidden ? hidden_kick_sigma : kick_place_sigma;
       study_.emplace(geometry_, kick, params_.ball_sigma);
     }
@@ -207,7 +251,7 @@ bool BallTrack::follow(std::span<const world::DetectedBall> balls, world::Time t
   measured_ = measured;
   measured_by_ = camera;
   beside_robot_ = near_robot;
-  study(measured, time, eye, near_robot);
+  study(measured, time, eye, around);
   remember_hold(robots);
   if (study_ && held_ && study_->sightings() >= kicked_away) study_.reset();
   return true;
@@ -254,9 +298,9 @@ std::optional<Vector3d> BallTrack::lifted(const Vector2d& seen, world::Time time
 }
 
 void BallTrack::study(const Vector2d& measured, world::Time time, const world::Camera* camera,
-                      bool near_robot) {
+                      const KickStudy::Surroundings& around) {
   if (!study_ || !camera) return;
-  study_->see(measured, time, camera->position, near_robot);
+  study_->see(measured, time, camera->position, around);
   if (study_->over()) {
     study_.reset();
   } else if (study_->landed()) {

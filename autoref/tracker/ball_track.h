@@ -62,9 +62,17 @@ class BallTrack {
   void hide(world::Time now, std::span<const world::TrackedRobot> robots);
   const world::Camera* camera_of(int id) const;
   std::optional<Vector3d> lifted(const Vector2d& seen, world::Time time, const world::Camera& camera) const;
-  void study(const Vector2d& measured, world::Time time, const world::Camera* camera, bool near_robot);
+  void study(const Vector2d& measured, world::Time time, const world::Camera* camera,
+             const KickStudy::Surroundings& around);
   bool could_be_struck(const Vector2d& from, const Vector2d& to,
                        std::span<const world::TrackedRobot> robots) const;
+  std::optional<world::RobotId> robot_below(world::Time time,
+                                            std::span<const world::TrackedRobot> robots) const;
+  struct Strike {
+    bool possible = false;
+    std::optional<world::RobotId> by{};  // nothing: a wall or the goal
+  };
+  Strike struck_in_the_air(world::Time time, std::span<const world::TrackedRobot> robots) const;
   void remember_hold(std::span<const world::TrackedRobot> robots);
 
   world::Geometry geometry_;

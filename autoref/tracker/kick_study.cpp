@@ -22,15 +22,17 @@ constexpr double height_sigma = 0.03;   // [m] of a place in space between two c
 constexpr double hidden_sigma = 0.005;  // [m] the visible part of a ball is up to so far beside its middle
 constexpr double prior_weight = 8;      // numbers that the nominal noise counts as; ours
 constexpr double chip_prior = 0.2;      // one kick in five; ours
-constexpr double jostle_prior = 0.2;    // and one is disturbed: two robots at the ball, a dribbler; ours
+constexpr double jostled_share = 0.25;  // of the others: two robots at the ball, a dribbler; ours
 constexpr double flattest = 0.4;        // of the horizontal speed over the rise: chips up to 68 degrees; ours
 constexpr double least_speed = 0.7;     // [m/s] slower is no kick worth studying; ours
 constexpr double fastest = 8.5;         // [m/s] in the air: chip kickers reach 8 (football.md 5)
 constexpr double least_height = 0.01;   // [m] lower a ball rolls (football.md 3.3)
 constexpr int quick_look = 3;           // sightings after which slow balls are left alone
 constexpr double least_rise = 1.0;  // [m/s] a kick that rises slower (5 cm) is not told from a flat one; ours
-constexpr double hopeless = 12;     // log of the evidence that a hypothesis may lack; ours
-constexpr double gate = 40;         // chi-square with 2 degrees of freedom and three times the noise; ours
+constexpr double robot_height = 0.15;  // [m] laws of 2015
+constexpr double longest_fall = 0.06;  // [m] in a frame: of a ball that comes down at 3.5 m/s
+constexpr double hopeless = 12;        // log of the evidence that a hypothesis may lack; ours
+constexpr double gate = 40;            // chi-square with 2 degrees of freedom and three times the noise; ours
 constexpr int misses_to_end = 3;
 constexpr double worst_fit = 3;     // mean square: twice the nominal noise; ours
 constexpr int first_word = 5;       // sightings before which nothing is said (football.md 3.3); ours
@@ -50,7 +52,8 @@ double log_mean_exp(std::span<const double> logs, std::size_t count) {
 
 KickStudy::KickStudy(const world::Geometry& geometry, double ball_sigma, world::Time time,
                      const Vector2d& from)
-    : slide_(std::max(0.0, geometry.ball_slide_deceleration)),
+    : air_prior_(chip_prior),
+      slide_(std::max(0.0, geometry.ball_slide_deceleration)),
       roll_(std::max(0.0, geometry.ball_roll_deceleration)),
       r_(noise_factor * ball_sigma * noise_factor * ball_sigma),
       last_(time) {
@@ -60,10 +63,11 @@ KickStudy::KickStudy(const world::Geometry& geometry, double ball_sigma, world::
 
 KickStudy::KickStudy(const world::Geometry& geometry, const KickPoint& kick, double ball_sigma)
     : KickStudy(geometry, ball_sigma, kick.earliest, kick.place) {
+  kick_ = kick;
   static_assert(slide_times.size() == lengths);
   constexpr int count = instants;
   for (int n = 0; n < count; ++n) {
-    const auto kicked = kick.earliest + (kick.latest - kick.earliest) * n / count;
+    const auto kicked = kick.earliest + (kick.latest - kick.earliest) * (2 * n + 1) / (2 * count);
     const Vector2d place = kick.place + kick.carried * world::seconds(kicked - kick.earliest);
     air_.push_back({kicked, AirFilter(place, kick.sigma), {}});
     add_ground(kicked, place, kick.sigma, ground_noise, slide_times.size());
@@ -78,6 +82,29 @@ KickStudy::KickStudy(const world::Geometry& geometry, const Vector3d& place, wor
   air_.push_back({time, AirFilter(place, height_sigma), {}});
   add_ground(time, place.head<2>(), place.z(), ground_noise, 1);
   add_ground(time, place.head<2>(), place.z(), jostle_noise, 1);
+}
+
+KickStudy::KickStudy(const KickStudy& flight, world::Time latest, const Vector2d& seen,
+                     std::optional<world::RobotId> by)
+    : from_ground_(false),
+      struck_(true),
+      air_prior_(std::clamp(flight.airborne_, chip_prior, settled_air)),
+      slide_(flight.slide_),
+      roll_(flight.roll_),
+      r_(flight.r_),
+      airborne_(flight.airborne_),
+      flight_(flight.flight_at(flight.last_)),
+      highest_seen_(flight_.highest),
+      last_(flight.last_) {
+  constexpr int count = instants;
+  for (int n = 0; n < count; ++n) {
+    const auto struck = last_ + (latest - last_) * (2 * n + 1) / (2 * count);
+    air_.push_back({struck, flight.filter_at(struck), {}});
+    air_.back().filter.strike();
+  }
+  if (by) flight_.struck = {*by, latest};
+  add_ground(last_, seen, height_sigma, ground_noise, 1);
+  add_ground(last_, seen, height_sigma, jostle_noise, 1);
 }
 
 void KickStudy::add_ground(world::Time kicked, const Vector2d& place, double sigma, double noise,
@@ -110,19 +137,45 @@ void KickStudy::step(OnGround& ground, double from, double to) const {
   ground.vv += ground.noise * dt;
 }
 
-void KickStudy::see(const Vector2d& seen, world::Time time, const Vector3d& camera, bool partly_hidden) {
-  const double r = partly_hidden ? r_ + hidden_sigma * hidden_sigma : r_;
+// Of a sighting before the kick: the ball is on its old way.
+AirFilter::Fit KickStudy::fit_before(const Vector2d& seen, world::Time time, double r) const {
+  const Vector2d place = kick_.place + kick_.carried * world::seconds(time - kick_.earliest);
+  const double s = kick_.sigma * kick_.sigma + r;
+  return {(seen - place).squaredNorm() / s, 2 * std::log(s / r)};
+}
+
+bool KickStudy::fly(AirFilter& air, double dt, const Surroundings& around) const {
+  air.predict(dt);
+  const double z = air.position().z();
+  const bool on_it = z < robot_height && z > robot_height - longest_fall && air.velocity().z() < 0;
+  if (!around.under || !on_it) return false;
+  air.bounce_on(robot_height);
+  return true;
+}
+
+void KickStudy::see(const Vector2d& seen, world::Time time, const Vector3d& camera,
+                    const Surroundings& around) {
+  const double r = around.partly_hidden ? r_ + hidden_sigma * hidden_sigma : r_;
   ++sightings_;
+  const AirFilter::Fit before = fit_before(seen, time, r);
   double best_nis = std::numeric_limits<double>::infinity();
   for (InAir& air : air_) {
-    air.filter.predict(world::seconds(time - std::max(last_, air.kicked)));
-    const AirFilter::Fit fit = air.filter.update(seen, camera, r);
+    AirFilter::Fit fit = before;
+    if (air.kicked <= time) {
+      const bool bounced = fly(air.filter, world::seconds(time - std::max(last_, air.kicked)), around);
+      if (bounced && &air == &air_.front()) flight_.struck = {*around.under, time};
+      fit = air.filter.update(seen, camera, r);
+    }
     air.score.add(fit);
     best_nis = std::min(best_nis, fit.nis);
   }
   for (OnGround& ground : ground_) {
-    const world::Time before = std::max(last_, ground.kicked);
-    step(ground, world::seconds(before - ground.kicked), world::seconds(time - ground.kicked));
+    if (ground.kicked > time) {
+      for (Course& course : ground.courses) course.score.add(before);
+      continue;
+    }
+    const world::Time from = std::max(last_, ground.kicked);
+    step(ground, world::seconds(from - ground.kicked), world::seconds(time - ground.kicked));
     const double s = ground.pp + r;
     const double kp = ground.pp / s;
     const double kv = ground.pv / s;
@@ -165,13 +218,14 @@ void KickStudy::judge() {
   for (std::size_t n = 0; n + 1 < ground_.size(); ++n) {
     for (const Course& course : ground_[n].courses) rolling[rollings++] = evidence(course.score);
   }
-  const double air_log = std::log(chip_prior) + log_mean_exp({in_air.data(), airs}, in_air.size());
-  const double roll_log =
-      std::log(1 - chip_prior - jostle_prior) + log_mean_exp({rolling.data(), rollings}, rolling.size());
-  const double jostle_log = std::log(jostle_prior) + evidence(ground_.back().courses.front().score);
+  const double air_log = std::log(air_prior_) + log_mean_exp({in_air.data(), airs}, in_air.size());
+  const double roll_log = std::log((1 - air_prior_) * (1 - jostled_share)) +
+                          log_mean_exp({rolling.data(), rollings}, rolling.size());
+  const double jostle_log =
+      std::log((1 - air_prior_) * jostled_share) + evidence(ground_.back().courses.front().score);
   const double most = std::max({air_log, roll_log, jostle_log});
   const double air_share = std::exp(air_log - most);
-  airborne_ = sightings_ >= first_word && is_possible(air_.front())
+  airborne_ = (struck_ || sightings_ >= first_word) && is_possible(air_.front())
                   ? air_share / (air_share + std::exp(roll_log - most) + std::exp(jostle_log - most))
                   : 0;
 
@@ -198,12 +252,14 @@ bool KickStudy::is_possible(const InAir& air) const {
 
 bool KickStudy::is_slow() const { return ground_.back().courses.front().velocity.norm() < least_speed; }
 
-bool KickStudy::explains(const Vector2d& seen, world::Time time, const Vector3d& camera) const {
+bool KickStudy::explains(const Vector2d& seen, world::Time time, const Vector3d& camera,
+                         const Surroundings& around) const {
   const InAir& air = air_.front();
   AirFilter ahead = air.filter;
-  ahead.predict(world::seconds(time - std::max(last_, air.kicked)));
+  fly(ahead, world::seconds(time - std::max(last_, air.kicked)), around);
   if (ahead.nis(seen, camera, r_) < gate) return true;
   return std::ranges::any_of(ground_, [&](OnGround ground) {
+    if (ground.kicked > time) return fit_before(seen, time, r_).nis < gate;
     const world::Time before = std::max(last_, ground.kicked);
     step(ground, world::seconds(before - ground.kicked), world::seconds(time - ground.kicked));
     return std::ranges::any_of(ground.courses, [&](const Course& course) {
@@ -215,7 +271,7 @@ bool KickStudy::explains(const Vector2d& seen, world::Time time, const Vector3d&
 void KickStudy::remember_launch() {
   const InAir& air = air_.front();
   if (!from_ground_) {  // its kick was not seen: what is known begins here
-    if (sightings_ == 1) flight_.launch_velocity = air.filter.velocity();
+    if (sightings_ == 1 && !struck_) flight_.launch_velocity = air.filter.velocity();
     highest_seen_ = std::max(highest_seen_, air.filter.position().z());
     return;
   }

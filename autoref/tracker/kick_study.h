@@ -2,6 +2,7 @@
 
 #include <boost/container/static_vector.hpp>
 #include <cstddef>
+#include <optional>
 
 #include "autoref/tracker/air_filter.h"
 #include "sim/world/field.h"
@@ -12,7 +13,7 @@ namespace tracker {
 
 /// What is known of a kick before its course is.
 struct KickPoint {
-  world::Time earliest, latest;         ///< of the kick
+  world::Time earliest, latest;         ///< of the kick; it may be seen before it happened
   Vector2d place = Vector2d::Zero();    ///< [m] of the ball at `earliest`
   Vector2d carried = Vector2d::Zero();  ///< [m/s] of the ball before the kick
   double sigma = 0.010;                 ///< [m] of the place
@@ -35,12 +36,24 @@ class KickStudy {
   /// The same for a ball that two cameras show at such places that it must be in the air at `place` [m].
   KickStudy(const world::Geometry& geometry, const Vector3d& place, world::Time time, double ball_sigma);
 
+  /// The same for the ball of a flight that something struck since its last sighting, at `latest` or before:
+  /// it is in the air still, as surely as it was.
+  /// @param seen [m] where the last sighting showed it on the ground
+  /// @param by  the robot that may have been it
+  KickStudy(const KickStudy& flight, world::Time latest, const Vector2d& seen,
+            std::optional<world::RobotId> by);
+
   /// Takes in a sighting. @param camera [m]  @pre later than the kick and than the last one
-  /// @param partly_hidden  a robot may hide a part of it, which moves the middle of what is seen
-  void see(const Vector2d& seen, world::Time time, const Vector3d& camera, bool partly_hidden);
+  /// What is around the ball when it is seen.
+  struct Surroundings {
+    bool partly_hidden = false;  ///< a robot may hide a part of it, which moves the middle of what is seen
+    std::optional<world::RobotId> under{};  ///< the robot below a ball in the air, on which it may bounce
+  };
+  void see(const Vector2d& seen, world::Time time, const Vector3d& camera, const Surroundings& around);
 
   /// True when some hypothesis expects this sighting.
-  bool explains(const Vector2d& seen, world::Time time, const Vector3d& camera) const;
+  bool explains(const Vector2d& seen, world::Time time, const Vector3d& camera,
+                const Surroundings& around) const;
 
   int sightings() const { return sightings_; }
   double airborne() const { return airborne_; }  ///< probability of flight at the last sighting
@@ -52,7 +65,7 @@ class KickStudy {
   world::Time last_seen() const { return last_; }
 
  private:
-  static constexpr std::size_t instants = 5;
+  static constexpr std::size_t instants = 7;
   static constexpr std::size_t lengths = 6;  // of the slide
 
   KickStudy(const world::Geometry& geometry, double ball_sigma, world::Time time, const Vector2d& from);
@@ -80,13 +93,18 @@ class KickStudy {
   };
 
   double evidence(const Score& score) const;
+  AirFilter::Fit fit_before(const Vector2d& seen, world::Time time, double r) const;
+  bool fly(AirFilter& air, double dt, const Surroundings& around) const;
   void step(OnGround& ground, double from, double to) const;
   void judge();
   bool is_possible(const InAir& air) const;
   bool is_slow() const;
   void remember_launch();
 
+  KickPoint kick_;
   bool from_ground_ = true;  // begun by a kick
+  bool struck_ = false;      // begun by something that struck a flying ball
+  double air_prior_;         // probability that the ball flies before anything is seen
   double slide_, roll_;      // [m/s^2]
   double r_;                 // [m^2]
   // In place: a study begins with every kick, and none allocates.

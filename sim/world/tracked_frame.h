@@ -16,6 +16,11 @@ struct Flight {
   Vector2d from = Vector2d::Zero();             ///< [m] and where
   Vector3d launch_velocity = Vector3d::Zero();  ///< [m/s]
   double highest = 0;                           ///< [m] greatest height of the ball's lowest point so far
+  struct Struck {
+    RobotId robot;
+    Time time;
+  };
+  std::optional<Struck> struck{};  ///< the robot it hit last in the air: its side or its cover
 };
 
 /// Positions and velocities are in the field frame, SI units, unless a name ends in `_local`.

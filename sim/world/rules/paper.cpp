@@ -16,6 +16,7 @@ RuleSet paper() {
   rules.direct_from_goal_line = false;  // Algorithm 2 and Table 11
   rules.exit_frames_mouth = 3;          // Algorithm 2 knows one number of frames
   rules.exit_frames_jump = 3;
+  rules.exit_frames_hidden = 0;
   rules.touch = {.accel = true, .line = true, .backtrack = true};  // 6.5.2; nothing of ours
 
   // Departures from the text, where it cannot run or contradicts itself (reference "requirements", 1.9):

@@ -81,6 +81,7 @@ struct RuleSet {
   int exit_frames = 3;            ///< consecutive frames outside (Algorithm 2)
   int exit_frames_mouth = 6;      ///< the same for a way through the mouth of a goal
   int exit_frames_jump = 15;      ///< the same after a jump that no ball can make
+  int exit_frames_hidden = 12;    ///< the same of a ball that a robot hides; 0: it must be seen
   double touch_line_inset = 0.1;  ///< [m] kick-in
   double corner_inset = 0.1;      ///< [m] from both lines
   double goal_kick_inset = 0.5;   ///< [m] from the goal line

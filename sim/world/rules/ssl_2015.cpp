@@ -71,6 +71,7 @@ RuleSet ssl_2015() {
   rules.exit_frames = 3;                // Algorithm 2
   rules.exit_frames_mouth = 6;          // ours: the filter runs through the goal's back wall first
   rules.exit_frames_jump = 15;          // ours: a quarter of a second, it is more likely a false ball
+  rules.exit_frames_hidden = 12;        // ours: four times those in which it is seen
   rules.touch_line_inset = 0.1;         // Law 15
   rules.corner_inset = 0.1;             // Law 17
   rules.goal_kick_inset = 0.5;          // Law 16

@@ -131,13 +131,40 @@ TEST(BallLeftField, FiresWithTheThirdFrameOutsideAndKnowsWhereAndWhen) {
   EXPECT_NEAR(left.location.y(), 3.0215, 1e-12);
 }
 
-TEST(BallLeftField, CountsOnlyFramesInWhichTheBallWasSeen) {
+TEST(BallLeftField, CountsOnlyFramesInWhichTheBallWasSeenOrARobotHidIt) {
   BallLeftField detector(rules());
   along(detector, {0, 3.0}, {0, 1}, 3);  // one frame outside
   for (int i = 0; i < 10; ++i) {
     TrackedFrame unseen = frame_at(Time{1s + i * 10ms}, {0, 3.2});
     unseen.ball->observed = false;
+    unseen.robots.clear();
     EXPECT_TRUE(detector.update(unseen, world::GameState{}).empty());
+  }
+}
+
+// A robot that hides the ball may carry it out for seconds; Algorithm 2 would wait until it is seen.
+TEST(BallLeftField, ARobotCarriesAHiddenBallOut) {
+  struct Case {
+    const char* rules;
+    int last_seen;
+    bool called;
+  };
+  // Hidden for 0.8 s nobody knows well enough where it is.
+  for (const Case& c : {Case{"ssl-2015", 20, true}, Case{"ssl-2015", -35, false}, Case{"paper", 20, false}}) {
+    BallLeftField detector(world::rule_set(c.rules));
+    along(detector, {0, 2.7}, {0, 0}, 0, false, Time{-1s});
+    std::optional<int> reported;
+    for (int i = 0; i <= 100; ++i) {
+      TrackedFrame frame = frame_at(Time{i * 10ms}, {0, 2.8 + 0.005 * i});
+      frame.ball->observed = i <= c.last_seen;
+      frame.ball->unseen = std::max(0, i - c.last_seen) * 10ms;
+      for (const GameEvent& event : detector.update(frame, world::GameState{})) {
+        reported = i;
+        EXPECT_NEAR(seconds_of(event), 0.443, 1e-3);  // when it was believed to cross 3.0215 m
+      }
+    }
+    // Believed 30 mm outside from frame 51 on (0.503 s), the twelfth of them.
+    EXPECT_EQ(reported, c.called ? std::optional(62) : std::nullopt);
   }
 }
 
@@ -162,6 +189,23 @@ TEST(Goal, ReportsWhenAndWhereTheLineWasCrossed) {
   ASSERT_EQ(events.size(), 1u);
   EXPECT_NEAR(seconds_of(events[0]), 0.1215 / 2, one_rounding);
   EXPECT_EQ(std::get<world::PossibleGoal>(events[0].what).defending, Team::Blue);
+}
+
+// The filter runs past the post for a frame before it believes that the ball bounced off it into the goal.
+TEST(Goal, MayComeOffThePost) {
+  for (const bool into_the_goal : {true, false}) {
+    Goal detector(rules());
+    std::vector<GameEvent> all;
+    for (int i = 0; i < 30; ++i) {
+      const Vector2d ball = i < 3   ? Vector2d{4.41 + 0.05 * i, 0.47}
+                            : i < 4 ? Vector2d{4.56, 0.53}
+                                    : Vector2d{4.6, into_the_goal ? 0.45 : 0.55};
+      for (GameEvent& event : detector.update(frame_at(Time{i * 16ms}, ball), world::GameState{})) {
+        all.push_back(event);
+      }
+    }
+    EXPECT_EQ(all.size(), into_the_goal ? 1u : 0u);
+  }
 }
 
 TEST(Goal, IsNoneBesideThePost) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "autoref/automaton/occurrence.h"
 #include "autoref/detectors/catalogue.h"
@@ -182,6 +183,7 @@ TEST(ChippedGoal, ADeflectionThatRisesIsTheDeflectorsChip) {
       const bool flying = x > -4.4;
       ball.position = {x, 0, flying ? height : 0};
       if (flying) {
+        ball.airborne = 1;
         ball.flight.emplace();
         ball.flight->kicked = Time{i < 40 ? 0ms : 400ms};
         ball.flight->from = {-3, 0};
@@ -194,6 +196,72 @@ TEST(ChippedGoal, ADeflectionThatRisesIsTheDeflectorsChip) {
     if (!all.empty()) {
       EXPECT_EQ(std::get<world::ChippedGoal>(all[0].what).by, blue_5);
     }
+  }
+}
+
+// A shot at 4 m/s by yellow 3 that the filter took for a chip in its first frames, or that is one; `change`
+// edits each frame.
+std::vector<GameEvent> shot(const std::function<void(int, world::TrackedBall&)>& change,
+                            std::optional<world::Touch> touch_at_20 = std::nullopt) {
+  ChippedGoal detector(rules());
+  world::GameState state;
+  state.last_touch = world::Touch{yellow_3, Time{0ms}, {2.4, 0}, 1, std::nullopt};
+  std::vector<GameEvent> all;
+  for (int i = 0; i <= 80; ++i) {
+    if (i == 20 && touch_at_20) state.last_touch = touch_at_20;
+    TrackedFrame frame;
+    frame.time = Time{i * 10ms};
+    world::TrackedBall ball;
+    ball.observed = true;
+    ball.position = {std::min(4.65, 2.4 + 0.04 * i), 0, 0};
+    change(i, ball);
+    frame.ball = ball;
+    for (GameEvent& event : detector.update(frame, state)) all.push_back(event);
+  }
+  return all;
+}
+
+// On the way up to 0.46 m at 3 m/s and down again, for 0.61 s.
+void fly(int i, world::TrackedBall& ball, double airborne) {
+  const double since = i * 0.01;
+  const double height = 3 * since - 9.81 / 2 * since * since;
+  if (height < 0) return;
+  ball.airborne = airborne;
+  ball.position.z() = i < 52 ? height : 0.05;
+  ball.flight.emplace();
+  ball.flight->launch_velocity = {4, 0, 3};
+  ball.flight->highest = std::max(height, 0.4);
+}
+
+// A goal costs more than a chip goal that counts: flat kicks of 6 m/s look like chips in a frame or two.
+TEST(ChippedGoal, AFlightThatIsTakenBackSpoilsNoGoal) {
+  EXPECT_TRUE(shot([](int i, world::TrackedBall& ball) {
+                if (i >= 8 && i < 12) fly(i, ball, 0.8);
+              }).empty());
+  EXPECT_EQ(shot([](int i, world::TrackedBall& ball) {
+              if (i >= 8) fly(i, ball, i < 12 ? 0.8 : 0.99);
+            }).size(),
+            1u);
+}
+
+// At 0.2 s the ball is 0.4 m high: whoever is said to have touched it then, nobody did.
+TEST(ChippedGoal, ARobotBelowTheBallHasNotTouchedIt) {
+  const world::Touch below{blue_5, Time{200ms}, {3.2, 0}, 0.9, std::nullopt};
+  const auto all = shot([](int i, world::TrackedBall& ball) { fly(i, ball, 1); }, below);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(std::get<world::ChippedGoal>(all[0].what).by, yellow_3);
+}
+
+// "Stopped bouncing": after a flight that ended on the ground 45 ms are enough, after one that was lost they
+// are not.
+TEST(ChippedGoal, ABallThatRollsAfterItsFlightMakesAGoal) {
+  for (const double last_height : {0.005, 0.2}) {
+    const auto all = shot([&](int i, world::TrackedBall& ball) {
+      if (i >= 45) return;  // 0.07 s before the line
+      fly(i, ball, 1);
+      if (i > 40) ball.position.z() = last_height;
+    });
+    EXPECT_EQ(all.size(), last_height < 0.03 ? 0u : 1u);
   }
 }
 

@@ -84,6 +84,8 @@ Result play(const char* preset, bool chips, int kicks) {
         result.above[index] += (seen.position.z() - height) * (seen.position.z() - height);
       }
       if (!flies || landed || since < duration - 0.04 || since > duration || !(duration > 0.04)) continue;
+      // Beyond the walls it lands elsewhere: it meets them in the air, and goes on flying.
+      if (world::distance_outside_lines(engine.model().geometry.field, landing) > 0.5) continue;
       landed = true;
       ++result.landed;
       const double rest = (seen.velocity.z() + std::sqrt(seen.velocity.z() * seen.velocity.z() +

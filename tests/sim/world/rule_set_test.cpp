@@ -45,6 +45,7 @@ TEST(RuleSet, ThePaperRunsItsTenEventsOnly) {
   EXPECT_EQ(paper.exit_frames, 3);
   EXPECT_EQ(paper.exit_frames_mouth, 3);
   EXPECT_EQ(paper.exit_frames_jump, 3);
+  EXPECT_EQ(paper.exit_frames_hidden, 0);
 }
 
 // R-R15-16 and the larger field of today.
