@@ -15,7 +15,8 @@ constexpr double news = 0.05;   // change of a probability worth telling; ours
 
 constexpr int first_look = 3;  // sightings outside, when the exit is certain (paper, Algorithm 2)
 constexpr int last_look = 6;
-constexpr double hindsight = 0.7;  // share of what is believed after that; ours
+constexpr double weight_of_others = 3;  // odds for the team that the paper's three name; ours
+constexpr double hindsight = 0.7;       // share of what is believed after that; ours
 
 constexpr double robot_height = 0.15;  // [m] laws of 2015, Law 4 (reference "requirements", R-3.2-1)
 constexpr double gravity = 9.81;       // [m/s^2]
@@ -40,7 +41,7 @@ void LastToucher::reset() {
 }
 
 void LastToucher::update(const world::TrackedFrame& frame, std::span<const world::Detection> images,
-                         std::vector<world::Touch>& out) {
+                         const std::optional<world::Touch>& second_opinion, std::vector<world::Touch>& out) {
   const View* view = views_.add(frame, images, field_);
   fresh_.reset();
   trail_.add(frame, images, told_.value_or(robot_slots), told_ ? belief_[*told_] : 0);
@@ -48,7 +49,7 @@ void LastToucher::update(const world::TrackedFrame& frame, std::span<const world
     const double out_by = world::distance_outside_lines(field_, frame.ball->position.head<2>());
     outside_ = out_by > field_.ball_radius ? outside_ + 1 : 0;
   }
-  if (outside_ >= first_look && outside_ <= last_look) look_back(out);
+  if (outside_ >= first_look && outside_ <= last_look) look_back(second_opinion, out);
   if (outside_ >= first_look) return;
   if (frame.ball && !frame.ball->observed) {
     if (!is_out(frame.ball->position.head<2>())) judge_hidden(frame);
@@ -224,11 +225,25 @@ void LastToucher::end_visit(const View& view) {
   }
 }
 
-void LastToucher::look_back(std::vector<world::Touch>& out) {
+void LastToucher::look_back(const std::optional<world::Touch>& second_opinion,
+                            std::vector<world::Touch>& out) {
   if (outside_ == first_look) at_the_time_ = belief_;
   const Retraced retraced = retrace(trail_, field_, views_.noise());
   for (std::size_t n = 0; n < robot_slots; ++n) {
     belief_[n] = (1 - hindsight) * at_the_time_[n] + hindsight * retraced.probability[n];
+  }
+  if (second_opinion && trail_.count() > 0 && second_opinion->time >= trail_[0].time) {
+    const bool yellow = second_opinion->robot.team == world::Team::Yellow;
+    double theirs = 0, sum = 0;
+    for (std::size_t n = 0; n < robot_slots; ++n) {
+      sum += belief_[n];
+      if ((robot_in(n).team == world::Team::Yellow) == yellow) theirs += belief_[n];
+    }
+    const double rest = sum + (weight_of_others - 1) * theirs;
+    for (std::size_t n = 0; n < robot_slots && rest > 0; ++n) {
+      const bool named = (robot_in(n).team == world::Team::Yellow) == yellow;
+      belief_[n] *= sum / rest * (named ? weight_of_others : 1);
+    }
   }
   const auto top = static_cast<std::size_t>(std::ranges::max_element(belief_) - belief_.begin());
   if (!(retraced.probability[top] > 0)) return tell({}, out);

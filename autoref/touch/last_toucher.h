@@ -24,8 +24,13 @@ class LastToucher {
 
   /// Appends what the next frame tells: a new touch, or an old one, with its old time, whose probability
   /// changed.
+  /// @param second_opinion  the last touch as other algorithms see it; asked when the ball has left the field
   void update(const world::TrackedFrame& frame, std::span<const world::Detection> images,
-              std::vector<world::Touch>& out);
+              const std::optional<world::Touch>& second_opinion, std::vector<world::Touch>& out);
+  void update(const world::TrackedFrame& frame, std::span<const world::Detection> images,
+              std::vector<world::Touch>& out) {
+    update(frame, images, {}, out);
+  }
 
   void reset();
 
@@ -55,7 +60,7 @@ class LastToucher {
   bool flies_past(const world::TrackedBall& ball, double ago, const Sighting::Robot& robot) const;
   void end_visit(const View& view);
   /// The ball has just left the field: its whole way is gone through again.
-  void look_back(std::vector<world::Touch>& out);
+  void look_back(const std::optional<world::Touch>& second_opinion, std::vector<world::Touch>& out);
   void remember(std::size_t robot, world::Time when, const Vector2d& place);
   void tell(std::optional<std::size_t> fresh, std::vector<world::Touch>& out);
   double noise_of(const View& view) const { return view.tracked() ? params_.tracked_sigma : views_.noise(); }

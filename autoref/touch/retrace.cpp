@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -359,8 +360,10 @@ class Retracing {
     // The heaviest first; equal ones in the order in which they came.
     std::array<std::size_t, most_branches> order;
     for (std::size_t n = 0; n < next_count_; ++n) order[n] = n;
-    std::stable_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(next_count_),
-                     [this](std::size_t a, std::size_t b) { return next_[a].weight > next_[b].weight; });
+    std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(next_count_),
+              [this](std::size_t a, std::size_t b) {
+                return next_[a].weight != next_[b].weight ? next_[a].weight > next_[b].weight : a < b;
+              });
     double kept = 0;
     for (std::size_t n = 0; n < next_count_; ++n) {
       const Hypothesis& h = next_[order[n]];

@@ -23,21 +23,29 @@ constexpr double reach_speed = 0.3;  // [m/s] of the ball relative to the dribbl
 constexpr double reach_least_speed =
     0.1;                         // [m/s] of the ball: one at rest tells nothing; V_b of requirements 1.10
 constexpr double front = 0.073;  // [m] centre to front plate (world::RobotSpecs)
-constexpr double front_margin = 0.010;           // [m] plate to ball, as accel's
-constexpr double front_half_width = 0.05;        // [m] dribbler zone (requirements 1.10)
-constexpr double max_ball_speed = 12.0;          // [m/s] faster is a teleport (tracker::Params)
-constexpr double max_step = 0.02;                // [m] what a tracker's correction may add to it; ours
-constexpr double far_away = 1.0;                 // [m] no algorithm looks further; ours
+constexpr double front_margin = 0.010;     // [m] plate to ball, as accel's
+constexpr double front_half_width = 0.05;  // [m] dribbler zone (requirements 1.10)
+constexpr double max_ball_speed = 12.0;    // [m/s] faster is a teleport (tracker::Params)
+constexpr double max_step = 0.02;          // [m] what a tracker's correction may add to it; ours
+constexpr double far_away = 1.0;           // [m] no algorithm looks further; ours
+bool frames_vote(const world::TouchAlgorithms& algorithms) {
+  return algorithms.accel || algorithms.line || algorithms.backtrack || algorithms.reach;
+}
+
 constexpr world::Duration longest_frame = 50ms;  // three frames; longer and positions are no history; ours
 
 }  // namespace
 
 TouchDetector::TouchDetector(const world::Geometry& geometry, world::TouchAlgorithms algorithms)
-    : field_(geometry.field), algorithms_(algorithms), last_toucher_(geometry) {}
+    : field_(geometry.field), algorithms_(algorithms), asked_(algorithms), last_toucher_(geometry) {
+  if (!frames_vote(algorithms)) asked_ = {.accel = true, .line = true, .backtrack = true};
+  found_.reserve(robot_slots);
+}
 
 void TouchDetector::reset() {
   forget_frames();
   last_toucher_.reset();
+  last_found_.reset();
 }
 
 void TouchDetector::forget_frames() {
@@ -87,34 +95,37 @@ std::optional<int> TouchDetector::frames_since_touch(RobotHistory& history, bool
   const double over = field_.robot_radius - field_.ball_radius;
   const std::span<const Vector2d> d(history.ball_from_robot.data(), static_cast<std::size_t>(history.length));
 
-  if (algorithms_.reach && history.carried >= reach_frames) return 0;
-  if (algorithms_.accel && is_closest && length_ >= 3 && d[0].norm() < contact + accel_margin) {
+  if (asked_.reach && history.carried >= reach_frames) return 0;
+  if (asked_.accel && is_closest && length_ >= 3 && d[0].norm() < contact + accel_margin) {
     const std::array<Vector2d, 3> ball = {samples_[0].ball, samples_[1].ball, samples_[2].ball};
     if (accel_measure(ball) > accel_threshold) return accel_age;
   }
   const double inside = contact - backtrack_margin;
-  if (algorithms_.as_coded) {
+  if (asked_.as_coded) {
     const bool rested = !history.line_time || samples_[0].time - *history.line_time >= line_rest;
-    if (algorithms_.line && d.size() >= 6 && rested && line_says_touch_as_coded(d, contact + line_margin)) {
+    if (asked_.line && d.size() >= 6 && rested && line_says_touch_as_coded(d, contact + line_margin)) {
       history.line_time = samples_[0].time;
       return line_age;
     }
-    if (algorithms_.backtrack && d.size() >= 8 && backtrack_says_touch_as_coded(d, over, inside))
-      return line_age;
+    if (asked_.backtrack && d.size() >= 8 && backtrack_says_touch_as_coded(d, over, inside)) return line_age;
     return std::nullopt;
   }
-  if (algorithms_.line && d.size() >= 6 && line_says_touch(d, contact + line_margin)) return line_age;
-  if (algorithms_.backtrack && d.size() >= 4 && backtrack_says_touch(d, contact, inside)) return line_age;
+  if (asked_.line && d.size() >= 6 && line_says_touch(d, contact + line_margin)) return line_age;
+  if (asked_.backtrack && d.size() >= 4 && backtrack_says_touch(d, contact, inside)) return line_age;
   return std::nullopt;
 }
 
 void TouchDetector::update(const world::TrackedFrame& frame, std::span<const world::Detection> images,
                            std::vector<world::Touch>& out) {
   out.clear();
-  if (algorithms_.likelihood) last_toucher_.update(frame, images, out);
-  const bool frames_vote =
-      algorithms_.accel || algorithms_.line || algorithms_.backtrack || algorithms_.reach;
-  if (!frames_vote || !remember(frame)) return;
+  ask_frames(frame);
+  if (algorithms_.likelihood) last_toucher_.update(frame, images, last_found_, out);
+  if (frames_vote(algorithms_)) out.insert(out.end(), found_.begin(), found_.end());
+}
+
+void TouchDetector::ask_frames(const world::TrackedFrame& frame) {
+  found_.clear();
+  if (!remember(frame)) return;
 
   const auto distance_to_ball = [this](const world::TrackedRobot& robot) {
     return (samples_[0].ball - robot.position).norm();
@@ -126,7 +137,8 @@ void TouchDetector::update(const world::TrackedFrame& frame, std::span<const wor
     remember(robot, history);
     if (const auto age = frames_since_touch(history, robot.id == closest->id)) {
       const Sample& then = samples_[static_cast<std::size_t>(*age)];
-      out.push_back({robot.id, then.time, then.ball});
+      found_.push_back({robot.id, then.time, then.ball});
+      if (world::distance_outside_lines(field_, then.ball) <= field_.ball_radius) last_found_ = found_.back();
     }
   }
 }

@@ -59,13 +59,17 @@ class TouchDetector {
   bool carries(const world::TrackedRobot& robot) const;
   /// How many frames ago the robot touched the ball, as far as any algorithm can tell.
   std::optional<int> frames_since_touch(RobotHistory& history, bool is_closest) const;
+  void ask_frames(const world::TrackedFrame& frame);
 
   world::Field field_;
   world::TouchAlgorithms algorithms_;
+  world::TouchAlgorithms asked_;  // of the four that look at frames; for `likelihood` alone the paper's three
   LastToucher last_toucher_;
   int length_ = 0;                      // frames of ball history
   std::array<Sample, memory> samples_;  // newest first
   std::array<RobotHistory, robot_slots> histories_;
+  std::vector<world::Touch> found_;         // by those, in this frame
+  std::optional<world::Touch> last_found_;  // the last one in the field
 };
 
 }  // namespace touch
