@@ -77,8 +77,8 @@ TrueEvent truth_in(const Json& json, Event event) {
   last.chip = its.value("chip", false);
   last.crowded = its.value("crowded", false);
   last.at_line = its.value("at_line", false);
-  last.impulse = its.at("impulse").get<double>();
-  last.alone = its.at("alone").get<double>();
+  last.impulse = its.value("impulse", 0.0);
+  last.alone = its.value("alone", 1e9);
   last.lost = its.at("lost").get<int>();
   truth.last = last;
   return truth;

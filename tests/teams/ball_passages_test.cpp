@@ -120,18 +120,20 @@ TEST(Receive, StopsPassesThatComeNearTheRobot) {
 
 TEST(Receive, TakesAChipBetweenItsHopsOrRolling) {
   int got = 0;
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 40; ++i) {
     Stage stage(
         [](const kit::View& view, const kit::Robot& robot) {
           return skills::receive(view, robot, kit::BallModel(view.geometry));
         },
         40 + static_cast<std::uint64_t>(i));
-    stage.put_robot({3.8, 1.0 + 0.1 * i}, M_PI);
+    stage.put_robot({3.8, 1.0 + 0.025 * i}, M_PI);
     stage.put_ball({0.8, 1.5}, {3, 0}, 3);  // lands after 0.61 s and 1.8 m
     got += stage.gets_the_ball(5);
   }
-  // A hop that comes down at the robot bounces off it now and then.
-  EXPECT_GE(got, 8);
+  // A hop that comes down at the robot bounces off it now and then, and the filter finds the flight of a ball
+  // that nobody kicked late. 26 of 40 when written, 32 with the filter before; three standard deviations
+  // less.
+  EXPECT_GE(got, 17);
 }
 
 TEST(Redirect, KicksABallThatComesIntoTheDirectionAskedFor) {
