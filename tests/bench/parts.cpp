@@ -65,7 +65,7 @@ class TrackerUpdate final : public Runner {
 class Touch final : public Runner {
  public:
   explicit Touch(const Recording& recording)
-      : touches_(recording.setup.geometry.field, recording.setup.rules.touch) {}
+      : touches_(recording.setup.geometry, recording.setup.rules.touch) {}
   void prepare(const Tick& tick) override {
     is_new_ = tick.frame.time > std::exchange(last_, tick.frame.time);
   }
