@@ -67,7 +67,6 @@ class Retracing {
       result.time[one.last] = one.touched;
       result.place[one.last] = one.place;
     }
-    result.steps = steps_;
     return result;
   }
 
@@ -151,7 +150,6 @@ class Retracing {
 
   /// The sighting at the end of a step; false when it speaks against the course.
   bool correct(Hypothesis& h, const TrailPoint& to) {
-    ++steps_;
     if (!to.seen) return true;
     if (to.other_camera) h.p.topLeftCorner<2, 2>().diagonal().array() += std::pow(params_.switch_sigma, 2);
     Matrix2d s = h.p.topLeftCorner<2, 2>();
@@ -406,7 +404,6 @@ class Retracing {
   bool above_ = false;
   std::uint32_t under_ = 0;  // robots it flies over, as bits
   double sigma_ = 0;
-  int steps_ = 0;
 };
 
 }  // namespace

@@ -37,7 +37,6 @@ struct Retraced {
   std::array<double, robot_slots> probability{};
   std::array<world::Time, robot_slots> time{};  ///< of the last touch, for those with a probability
   std::array<Vector2d, robot_slots> place{};    ///< [m] ball at that time
-  int steps = 0;                                ///< branches that were tried; for the benchmark
 };
 
 /// Goes through the trail from its oldest point with many hypotheses: each is a last toucher, and a course of

@@ -50,7 +50,7 @@ void Trail::learn(Camera& camera, const world::Detection& image, const world::Tr
 optics::WholeBall Trail::whole(const Vector2d& seen, const world::Detection& image) const {
   const auto camera = std::ranges::find(geometry_.cameras, image.camera, &world::Camera::id);
   if (camera == geometry_.cameras.end()) return {seen};
-  optics::PartlyHidden ball(field_, *camera, seen);
+  optics::PartlyHidden ball(geometry_.field, *camera, seen);
   for (const world::DetectedRobot& robot : image.robots) {
     if (robot.orientation) ball.beside(robot.position, *robot.orientation);
   }
@@ -139,7 +139,7 @@ void Trail::add(const world::TrackedFrame& frame, std::span<const world::Detecti
   }
   for (std::size_t n = 0; n < point.robot_count; ++n) {
     const Sighting::Robot& robot = point.robots[n];
-    const double gap = hull_gap(world::rotated(ball - robot.position, -robot.orientation), field_);
+    const double gap = hull_gap(world::rotated(ball - robot.position, -robot.orientation), geometry_.field);
     if (gap < -over_hull) point.under |= 1U << robot.slot;
   }
   const double ago = world::seconds(time - frame.time);

@@ -45,7 +45,7 @@ class Trail {
  public:
   static constexpr int memory = 256;  ///< four seconds
 
-  explicit Trail(const world::Geometry& geometry) : geometry_(geometry), field_(geometry_.field) {}
+  explicit Trail(const world::Geometry& geometry) : geometry_(geometry) {}
 
   /// @param told, probability  who is thought to be the last toucher now
   void add(const world::TrackedFrame& frame, std::span<const world::Detection> images, std::size_t told,
@@ -72,7 +72,6 @@ class Trail {
   optics::WholeBall whole(const Vector2d& seen, const world::Detection& image) const;
 
   world::Geometry geometry_;
-  world::Field field_;
   std::array<TrailPoint, memory> ring_;
   int newest_ = -1;
   int count_ = 0;
