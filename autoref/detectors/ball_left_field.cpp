@@ -1,7 +1,5 @@
 #include "autoref/detectors/ball_left_field.h"
 
-#include <chrono>
-
 #include "autoref/detectors/ball.h"
 #include "sim/world/crossing.h"
 
@@ -9,10 +7,8 @@ namespace detectors {
 namespace {
 
 // A hidden ball is known to some 15 mm; the robot that hides it is within 50 mm (README of the tracker).
-constexpr double surely_outside = 0.03;  // [m]
-constexpr double hidden_gap = 0.05;      // [m]
-// Hidden for longer it may be with another robot than the tracker believes; ours.
-constexpr world::Duration longest_hidden = std::chrono::milliseconds{500};
+constexpr double surely_outside = 0.03;    // [m]
+constexpr double hidden_gap = 0.05;        // [m]
 constexpr double goal_back_margin = 0.05;  // [m] overshoot of the filter at the goal's back, ours
 
 }  // namespace
@@ -30,7 +26,6 @@ bool BallLeftField::is_carried_out(const world::TrackedFrame& frame) {
   const world::TrackedRobot* robot = nearest_robot(frame, ball);
   if (!robot || gap_to_ball(field_, *robot, ball) > hidden_gap) return false;
   if (guard(ball) <= 0 && !first_outside_) last_inside_ = Sample{frame.time, ball};
-  if (!first_outside_ && frame.ball->unseen > longest_hidden) return false;
   return guard(ball) > surely_outside;
 }
 

@@ -18,6 +18,7 @@ constexpr double certainty = 0.95;
 constexpr double landed = 0.03;  // [m] height in the last frame of a flight, at most
 // The filter ends a flight with its last hop of 10 mm; three frames on the ground are rolling (ours).
 constexpr world::Duration landed_rolling = std::chrono::milliseconds{45};
+constexpr double fastest_fall = 6;     // [m/s] from 1.8 m: no ball falls faster, but a filter may think again
 constexpr double robot_height = 0.15;  // [m] laws of 2015
 constexpr double height_error = 0.03;  // [m] of the filter (README of the tracker)
 
@@ -65,6 +66,10 @@ const world::Touch* ChippedGoal::toucher(const world::Flight& flight) const {
 
 void ChippedGoal::watch_height(const world::TrackedFrame& frame) {
   const world::TrackedBall& ball = *frame.ball;
+  const double height = ball.flight ? ball.position.z() : 0;
+  const double fall = before_ ? fastest_fall * world::seconds(frame.time - before_->first) + height_error : 0;
+  if (before_ && height < before_->second - fall) chips_ = {};
+  before_.emplace(frame.time, height);
   if (!ball.flight) {
     if (!grounded_since_) grounded_since_ = frame.time;
     const world::Duration needed = last_height_ < landed ? std::min(rolling_, landed_rolling) : rolling_;

@@ -29,6 +29,7 @@ class ChippedGoal final : public Detector {
     grounded_since_.reset();
     touches_.clear();
     last_height_ = 0;
+    before_.reset();
     goal_.reset();
   }
 
@@ -53,6 +54,7 @@ class ChippedGoal final : public Detector {
   boost::container::static_vector<world::Touch, 4> touches_;  // the last of each robot, oldest first
   std::optional<world::Time> grounded_since_;                 // first frame in a row without flight
   double last_height_ = 0;                                    // [m] of the ball in its last flight
+  std::optional<std::pair<world::Time, double>> before_;      // and of the frame before this, 0 on the ground
 };
 
 }  // namespace detectors

@@ -16,6 +16,7 @@ constexpr double at_post = 0.06;  // [m] a ball that hits a post seems to pass b
 constexpr world::Duration post_frames = std::chrono::milliseconds{60};
 constexpr double back_margin = 0.05;  // [m] overshoot of the filter at the goal's back
 constexpr world::Duration unseen_limit = std::chrono::milliseconds{500};
+constexpr world::Duration same_goal = std::chrono::milliseconds{500};
 
 }  // namespace
 
@@ -48,6 +49,7 @@ Events Goal::update(const world::TrackedFrame& frame, const world::GameState& st
   if (!certain) return {};
 
   entry_->decided = true;
+  told_ = frame.time;
   const world::Side side = entry_->place.x() > 0 ? world::Side::Positive : world::Side::Negative;
   const world::PossibleGoal goal{world::defending_team(state, side), state.last_touch, entry_->place};
   return {{entry_->time, goal}};
@@ -64,19 +66,22 @@ void Goal::watch_for_entry(const world::TrackedFrame& frame, const world::Vector
 
   const Crossing where = crossing(field_, before.ball, ball);
   const double beside = std::abs(where.point.y()) - field_.goal_width / 2;
-  if (!where.in_mouth && where.goal_line && beside < at_post && frame.time - before.time < post_frames) {
+  const bool met_post = !where.in_mouth && where.goal_line && beside < at_post;
+  const bool came_in = where.in_mouth || (met_post && in_goal(field_, ball, back_margin));
+  if (met_post && !came_in && frame.time - before.time < post_frames) {
     last_in_front_ = before;
     return;
   }
   if (!plausible_step(before.ball, ball, frame.time - before.time)) return;
   if (frame.ball->position.z() > field_.goal_height) return;
-  if (!where.in_mouth) return;
+  if (!came_in) return;
   const auto when = world::rising_zero({before.time, guard(before.ball)}, {frame.time, guard(ball)});
   Entry entry;
   entry.time = when.value_or(frame.time);
   entry.place = where.point;
   entry.frames = 1;
   entry.inside = in_goal(field_, ball, back_margin) ? 1 : 0;
+  entry.decided = told_ && frame.time - *told_ < same_goal;
   entry_ = entry;
 }
 

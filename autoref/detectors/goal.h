@@ -17,6 +17,8 @@ namespace detectors {
 ///         beside the goal for 3 frames in a row (it flew over), or higher than the bar. These numbers are
 ///         ours: a chip of 2.5 m/s needs 6 frames to pass over a goal, and a filter may run through the back
 ///         wall for a frame or two.
+///         A ball that met a post and is then inside the goal went in through the mouth. One that comes out
+///         and goes in again within half a second is the same goal.
 /// Resets  when the ball is in the field again.
 class Goal final : public Detector {
  public:
@@ -26,6 +28,7 @@ class Goal final : public Detector {
   void reset() override {
     last_in_front_.reset();
     entry_.reset();
+    told_.reset();
   }
 
  private:
@@ -48,6 +51,7 @@ class Goal final : public Detector {
   world::Field field_;
   std::optional<Sample> last_in_front_;
   std::optional<Entry> entry_;
+  std::optional<world::Time> told_;  // the last goal
 };
 
 }  // namespace detectors

@@ -75,7 +75,7 @@ void BallTrack::reset() {
 }
 
 void BallTrack::age(world::Time now, std::span<const world::TrackedRobot> robots) {
-  if (known_ && now - seen_ > params_.ball_memory) {
+  if (known_ && now - seen_ > (hidden_.active() ? params_.hidden_memory : params_.ball_memory)) {
     known_ = false;
     held_ = false;
     hidden_.clear();

@@ -26,7 +26,8 @@ struct Params {
   double kick_sigma = 5.0;       ///< [m/s] of the velocity after a collision: the next frame decides it
   double max_ball_speed = 12.0;  ///< [m/s] faster is another ball; cap of TIGERs' autoref (football.md 4.2)
   double ball_gate = 0.01;       ///< [m] nearer than this is the same ball whatever the statistics say
-  world::Duration ball_memory = std::chrono::seconds{3};  ///< then an unseen ball is forgotten; ours
+  world::Duration ball_memory = std::chrono::seconds{3};     ///< then an unseen ball is forgotten; ours
+  world::Duration hidden_memory = std::chrono::seconds{10};  ///< the same of one that robots hide; ours
 
   bool ball_in_space = true;  ///< chips are found and followed; false: the ball is always on the ground
 

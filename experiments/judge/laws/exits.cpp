@@ -32,6 +32,12 @@ void Exits::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     chips_ = {};
     low_ = {};
     approach_.reset();
+    if (!armed_ && !moment.by_hand && moment.outside(moment.before.ball) <= 0) early_ = crossing(moment);
+    if (!armed_ && early_) {
+      out_since_ = moment.now.time;
+      pending_ = std::move(early_);
+    }
+    early_.reset();
   }
   watch_heights(moment);
 
@@ -45,11 +51,16 @@ void Exits::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   if (!moment.in_play() || moment.by_hand) {
     if (approach_ && !moment.by_hand) out.push_back(*approach_);
     approach_.reset();
+    if (moment.by_hand || outside <= 0) {
+      early_.reset();
+    } else if (moment.outside(moment.before.ball) <= 0) {
+      early_ = crossing(moment);
+    }
     return;
   }
   if (armed_ && outside > 0) {
     out_since_ = moment.now.time;
-    watch_crossing(moment);
+    pending_ = crossing(moment);
     armed_ = false;
     approach_.reset();
     inside_since_.reset();
@@ -130,7 +141,7 @@ void Exits::watch_heights(const Moment& moment) {
   chip->highest = std::max(chip->highest, top);
 }
 
-void Exits::watch_crossing(const Moment& moment) {
+std::optional<Exits::Pending> Exits::crossing(const Moment& moment) const {
   const world::Field& field = moment.rules.field;
   const double before = moment.outside(moment.before.ball);
   const double now = moment.outside(moment.now.ball);
@@ -147,7 +158,7 @@ void Exits::watch_crossing(const Moment& moment) {
   pending.deepest = now;
 
   const auto* contact = moment.touches.last_at(event.time);
-  if (contact == nullptr) return;  // nobody ever touched it
+  if (contact == nullptr) return std::nullopt;  // nobody ever touched it
   event.last = last_touch(moment, *contact);
   event.by = event.last->robot;
   event.ambiguous = moment.touches.ambiguous(*contact);
@@ -178,7 +189,7 @@ void Exits::watch_crossing(const Moment& moment) {
     event.over_goal = between_posts;
     pending.icing = icing(moment, event);
   }
-  pending_ = std::move(pending);
+  return pending;
 }
 
 LastTouch Exits::last_touch(const Moment& moment, const TrueTouches::Contact& contact) const {

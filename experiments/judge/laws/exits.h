@@ -39,7 +39,7 @@ class Exits {
   };
 
   void watch_heights(const Moment& moment);
-  void watch_crossing(const Moment& moment);
+  std::optional<Pending> crossing(const Moment& moment) const;
   LastTouch last_touch(const Moment& moment, const TrueTouches::Contact& contact) const;
   std::optional<TrueEvent> icing(const Moment& moment, const TrueEvent& exit) const;
   int longest_unseen(world::Time from) const;
@@ -49,6 +49,7 @@ class Exits {
   std::optional<world::Time> inside_since_;
   std::optional<TrueEvent> approach_;  // nearest to the line, while near
   std::optional<Pending> pending_;
+  std::optional<Pending> early_;  // an exit while the restart's kick was not noticed yet
   world::PerTeam<std::optional<Chip>> chips_;
   world::PerTeam<std::optional<Chip>> low_;        // flights that stay below the limit, within two bands
   int rolling_ = 0;                                // ticks

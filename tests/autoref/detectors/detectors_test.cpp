@@ -11,12 +11,12 @@
 #include "autoref/detectors/defender_in_area.h"
 #include "autoref/detectors/double_touch.h"
 #include "autoref/detectors/dribbled_too_far.h"
-#include "autoref/detectors/goal.h"
 #include "autoref/detectors/keeper_held_ball.h"
 #include "autoref/detectors/kick_taken.h"
 #include "autoref/detectors/kicked_too_fast.h"
 #include "autoref/detectors/no_progress.h"
 #include "autoref/detectors/robots_settled.h"
+#include "tests/autoref/detectors/ways.h"
 
 namespace detectors {
 namespace {
@@ -28,41 +28,6 @@ using world::Team;
 using world::Time;
 using world::TrackedFrame;
 using world::Vector2d;
-
-constexpr RobotId yellow_3{Team::Yellow, 3};
-
-const world::RuleSet& rules() { return world::rule_set("ssl-2015"); }
-
-TrackedFrame frame_at(Time time, Vector2d ball, bool in_reach = false) {
-  TrackedFrame frame;
-  frame.time = time;
-  frame.ball = world::TrackedBall{};
-  frame.ball->position << ball, 0.0;
-  frame.ball->observed = true;
-  world::TrackedRobot robot;
-  robot.id = yellow_3;
-  robot.position = ball - Vector2d{0.1, 0};
-  robot.ball_in_reach = in_reach;
-  frame.robots.push_back(robot);
-  return frame;
-}
-
-// The ball along a straight way, one frame every 10 ms; all events.
-std::vector<GameEvent> along(Detector& detector, Vector2d from, Vector2d velocity, int frames,
-                             bool in_reach = false, Time start = Time{}) {
-  std::vector<GameEvent> all;
-  for (int i = 0; i <= frames; ++i) {
-    TrackedFrame frame = frame_at(start + i * 10ms, from + velocity * (i * 0.01), in_reach);
-    frame.ball->velocity << velocity, 0.0;
-    for (GameEvent& event : detector.update(frame, world::GameState{})) all.push_back(event);
-  }
-  return all;
-}
-
-double seconds_of(const GameEvent& event) { return world::seconds(event.time); }
-
-// Guards linear in time are interpolated exactly, but for rounding to whole nanoseconds.
-constexpr double one_rounding = 2e-9;
 
 TEST(DribbledTooFar, ReportsTheInstantTheBallPassesOneMetre) {
   DribbledTooFar detector(rules());
@@ -149,8 +114,7 @@ TEST(BallLeftField, ARobotCarriesAHiddenBallOut) {
     int last_seen;
     bool called;
   };
-  // Hidden for 0.8 s nobody knows well enough where it is.
-  for (const Case& c : {Case{"ssl-2015", 20, true}, Case{"ssl-2015", -35, false}, Case{"paper", 20, false}}) {
+  for (const Case& c : {Case{"ssl-2015", 20, true}, Case{"ssl-2015", -90, true}, Case{"paper", 20, false}}) {
     BallLeftField detector(world::rule_set(c.rules));
     along(detector, {0, 2.7}, {0, 0}, 0, false, Time{-1s});
     std::optional<int> reported;
@@ -179,39 +143,6 @@ TEST(BallLeftField, KnowsTheFirstLineThatWasCrossedInACorner) {
   const Crossing first = crossing(rules().field, {4.4, 2.9}, {4.6, 3.2});
   EXPECT_FALSE(first.goal_line);  // the touch line after 0.405 of the way, the goal line after 0.608
   EXPECT_TRUE(crossing(rules().field, {4.4, 2.9}, {4.7, 3.05}).goal_line);
-}
-
-TEST(Goal, ReportsWhenAndWhereTheLineWasCrossed) {
-  Goal detector(rules());
-  std::vector<GameEvent> events = along(detector, {4.4, 0.1}, {2, 0}, 10);
-  EXPECT_TRUE(events.empty());
-  events = along(detector, {4.6, 0.1}, {0, 0}, 10, false, Time{110ms});
-  ASSERT_EQ(events.size(), 1u);
-  EXPECT_NEAR(seconds_of(events[0]), 0.1215 / 2, one_rounding);
-  EXPECT_EQ(std::get<world::PossibleGoal>(events[0].what).defending, Team::Blue);
-}
-
-// The filter runs past the post for a frame before it believes that the ball bounced off it into the goal.
-TEST(Goal, MayComeOffThePost) {
-  for (const bool into_the_goal : {true, false}) {
-    Goal detector(rules());
-    std::vector<GameEvent> all;
-    for (int i = 0; i < 30; ++i) {
-      const Vector2d ball = i < 3   ? Vector2d{4.41 + 0.05 * i, 0.47}
-                            : i < 4 ? Vector2d{4.56, 0.53}
-                                    : Vector2d{4.6, into_the_goal ? 0.45 : 0.55};
-      for (GameEvent& event : detector.update(frame_at(Time{i * 16ms}, ball), world::GameState{})) {
-        all.push_back(event);
-      }
-    }
-    EXPECT_EQ(all.size(), into_the_goal ? 1u : 0u);
-  }
-}
-
-TEST(Goal, IsNoneBesideThePost) {
-  Goal detector(rules());
-  along(detector, {4.4, 0.51}, {2, 0}, 10);
-  EXPECT_TRUE(along(detector, {4.6, 0.51}, {0, 0}, 60, false, Time{1s}).empty());
 }
 
 TEST(KickedTooFast, WantsMoreThanTwoFramesAndABall) {

@@ -179,7 +179,7 @@ TEST(ChippedGoal, ADeflectionThatRisesIsTheDeflectorsChip) {
       world::TrackedBall ball;
       ball.observed = true;
       const double x = i < 40 ? -3 - 0.01 * i : std::max(-4.65, -3.4 - 0.03 * (i - 40));
-      const double height = i < 40 ? 0.3 : after;
+      const double height = i < 40 ? 0.3 : std::max(0.0, after - 0.05 * std::max(0, i - 66));
       const bool flying = x > -4.4;
       ball.position = {x, 0, flying ? height : 0};
       if (flying) {
@@ -187,7 +187,7 @@ TEST(ChippedGoal, ADeflectionThatRisesIsTheDeflectorsChip) {
         ball.flight.emplace();
         ball.flight->kicked = Time{i < 40 ? 0ms : 400ms};
         ball.flight->from = {-3, 0};
-        ball.flight->highest = height;
+        ball.flight->highest = i < 40 ? 0.3 : after;
       }
       frame.ball = ball;
       for (GameEvent& event : detector.update(frame, state)) all.push_back(event);
@@ -252,14 +252,14 @@ TEST(ChippedGoal, ARobotBelowTheBallHasNotTouchedIt) {
   EXPECT_EQ(std::get<world::ChippedGoal>(all[0].what).by, yellow_3);
 }
 
-// "Stopped bouncing": after a flight that ended on the ground 45 ms are enough, after one that was lost they
-// are not.
+// "Stopped bouncing": after a flight that ended on the ground 45 ms are enough, after one that was lost low
+// above it they are not.
 TEST(ChippedGoal, ABallThatRollsAfterItsFlightMakesAGoal) {
-  for (const double last_height : {0.005, 0.2}) {
+  for (const double last_height : {0.005, 0.08}) {
     const auto all = shot([&](int i, world::TrackedBall& ball) {
       if (i >= 45) return;  // 0.07 s before the line
       fly(i, ball, 1);
-      if (i > 40) ball.position.z() = last_height;
+      if (i > 36) ball.position.z() = last_height + 0.05 * (44 - i);
     });
     EXPECT_EQ(all.size(), last_height < 0.03 ? 0u : 1u);
   }

@@ -94,6 +94,27 @@ TEST(Exits, EndPlayUntilItIsRestartedUnlessTheyWereClose) {
   }
 }
 
+// A kick from beside the line, and the referee notices it some ticks later: the ball left the field all the
+// same.
+TEST(Exits, CountFromTheKickThoughTheRefereeNoticesItLater) {
+  for (const int noticed : {2, 3, 6}) {  // it is out in the second tick
+    Story story;
+    story.enter(Location::Setup);
+    story.ball.position = {1, 2.97, Story::radius};
+    story.tick(3);
+    const double begin = story.now();
+    story.touch(yellow(1), 0.2);
+    story.ball.velocity = {0, 2, 0};
+    story.tick(noticed - 1);
+    story.enter(Location::GameOn);
+    story.tick(60);
+    const auto exits = story.told(Event::Exit);
+    ASSERT_EQ(exits.size(), 1u) << noticed;
+    EXPECT_NEAR(world::seconds(exits[0].time), begin + (0.03 + Story::radius) / 2, exact);
+    EXPECT_EQ(exits[0].by, yellow(1));
+  }
+}
+
 TEST(Exits, GoOnForAMomentAfterTheWhistleAndAreLate) {
   Story story;
   story.ball.position = {1, 2.98, Story::radius};
