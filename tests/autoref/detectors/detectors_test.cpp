@@ -337,6 +337,39 @@ TEST(DefenderInArea, CarriesTheBallBesideItsGoalieButNotBesideAnOpponent) {
   }
 }
 
+TEST(DefenderInArea, TouchesABallThatItPressesAgainstItsGoalie) {
+  // A ball at rest, hidden; yellow 3 comes on at 0.5 m/s and stops 5 mm before the place where the ball is
+  // believed. With the goalie behind the ball there is no room; with the goalie 30 mm away, or on the same
+  // side, the ball may lie free.
+  enum class Goalie { Behind, Away, Beside };
+  for (const Goalie goalie : {Goalie::Behind, Goalie::Away, Goalie::Beside}) {
+    DefenderInArea detector(rules());
+    const world::GameState state;
+    const double own = world::sign(world::defended_side(state, Team::Yellow));
+    const Vector2d ball(own * 4.1, 0);
+    std::vector<GameEvent> events;
+    for (int i = 0; i < 300; ++i) {
+      TrackedFrame frame = frame_at(Time{i * 10ms}, ball);
+      frame.ball->observed = false;
+      frame.ball->unseen = 100ms + i * 10ms;
+      const double gap = std::max(0.005, 0.05 - 0.005 * i);  // within 20 mm at 60 ms, within 10 mm at 80 ms
+      frame.robots[0].position = ball - Vector2d(0.073 + 0.0215 + gap, 0);
+      world::TrackedRobot other;
+      other.id = {Team::Yellow, static_cast<std::uint8_t>(state.keeper[Team::Yellow])};
+      const double way = 0.09 + 0.0215 + (goalie == Goalie::Away ? 0.03 : 0.001);
+      const double angle = goalie == Goalie::Beside ? 2.2 : 0.0;  // against yellow 3, at pi
+      other.position = ball + way * world::direction(angle);
+      other.orientation = angle;  // its back to the ball
+      frame.robots.push_back(other);
+      for (GameEvent& event : detector.update(frame, state)) events.push_back(event);
+    }
+    ASSERT_EQ(events.size(), goalie == Goalie::Behind ? 1u : 0u);  // one that goes on is one
+    if (!events.empty()) {
+      EXPECT_EQ(events[0].time, Time{60ms});
+    }
+  }
+}
+
 TEST(KeeperHeldBall, WantsTheBallAtItsHull) {
   // 25 mm before the front is not held (the truth's limit is 5 mm); 25 mm may be, if nobody sees it.
   for (const bool observed : {true, false}) {
