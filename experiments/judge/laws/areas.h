@@ -19,6 +19,12 @@ namespace judge {
 class Areas {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);
+  /// The game is over: what goes on has happened.
+  void finish(std::vector<TrueEvent>& out) {
+    for (Open& open : open_) {
+      if (open.worst) finish(open, out);
+    }
+  }
 
  private:
   struct Open {
