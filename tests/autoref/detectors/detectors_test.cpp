@@ -12,6 +12,8 @@
 #include "autoref/detectors/double_touch.h"
 #include "autoref/detectors/dribbled_too_far.h"
 #include "autoref/detectors/goal.h"
+#include "autoref/detectors/interfered_placement.h"
+#include "autoref/detectors/keeper_contact.h"
 #include "autoref/detectors/keeper_held_ball.h"
 #include "autoref/detectors/kick_taken.h"
 #include "autoref/detectors/kicked_too_fast.h"
@@ -367,6 +369,49 @@ TEST(DefenderInArea, TouchesABallThatItPressesAgainstItsGoalie) {
     if (!events.empty()) {
       EXPECT_EQ(events[0].time, Time{60ms});
     }
+  }
+}
+
+TEST(KeeperContact, SumsUpTheFramesOfHullsThatBounce) {
+  // 0.5 mm, then 10 mm apart, and again; or 3 mm all the time.
+  for (const bool touches : {true, false}) {
+    KeeperContact detector(rules());
+    const world::GameState state;
+    const double own = world::sign(world::defended_side(state, Team::Blue));
+    std::size_t events = 0;
+    for (int i = 0; i < 60; ++i) {
+      TrackedFrame frame = frame_at(Time{i * 10ms}, {0, 0});
+      const double gap = !touches ? 0.003 : i % 20 == 10 ? 0.0005 : 0.01;
+      frame.robots[0].position = {own * 4.0, 0};
+      world::TrackedRobot goalie;
+      goalie.id = {Team::Blue, static_cast<std::uint8_t>(state.keeper[Team::Blue])};
+      goalie.position = {own * 4.0, 0.18 + gap};
+      frame.robots.push_back(goalie);
+      for (world::TrackedRobot& robot : frame.robots) robot.observed = true;
+      events += detector.update(frame, state).size();
+    }
+    EXPECT_EQ(events, touches ? 1u : 0u);
+  }
+}
+
+TEST(InterferedPlacement, BeginsWithAHiddenBallButDoesNotEndWithIt) {
+  // Hidden for the first second, as where it was taken out; a robot on its way. In the middle it is believed
+  // elsewhere for a moment, which frees nobody; that the ball is seen elsewhere does.
+  for (const bool seen : {false, true}) {
+    InterferedPlacement detector(rules());
+    world::GameState state;
+    state.location = world::Location::GameOff;
+    state.command.kind = world::CommandKind::Stop;
+    state.reset_position = Vector2d{2, 0};
+    std::size_t events = 0;
+    for (int i = 0; i <= 210; ++i) {
+      const bool elsewhere = i >= 50 && i < 60;
+      TrackedFrame frame = frame_at(Time{i * 10ms}, {elsewhere ? 2.6 : 0.0, 0});
+      frame.robots[0].position = {1, 0.3};
+      frame.ball->observed = i >= 100 || (elsewhere && seen);
+      events += detector.update(frame, state).size();
+    }
+    EXPECT_EQ(events, seen ? 0u : 1u);
   }
 }
 
