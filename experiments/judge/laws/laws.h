@@ -33,6 +33,7 @@ class Laws {
     exits_.finish(bands_, events_);
     if (location_ == world::Location::GameOn) {
       areas_.finish(events_);
+      keeper_holds_.finish(rules_, bands_, events_);
       contacts_.finish(rules_, bands_, events_);
     }
     ball_speed_.finish(rules_, bands_, events_);
