@@ -9,6 +9,11 @@ namespace detectors {
 namespace {
 
 constexpr int frames_needed = 4;
+constexpr int frames_pressed = 2;
+constexpr double pressing = 0.01;  // [m] hull from the ball
+constexpr double beside = 0.02;    // [m] hull from the ball: there the contact began
+constexpr world::Duration longest_ago =
+    std::chrono::milliseconds{300};            // ours: what is older is not remembered
 constexpr double alone = 0.03;                 // [m] any opponent's hull from the ball
 constexpr double alone_of_team_mates = 0.012;  // [m] the goalie stands near
 constexpr world::Duration hidden_for = std::chrono::milliseconds{600};
@@ -46,6 +51,30 @@ std::optional<world::Touch> AreaTouches::carried(const world::TrackedFrame& fram
   return world::Touch{carrier->id, frame.time, on_ground(*frame.ball)};
 }
 
+std::optional<world::Touch> AreaTouches::pressed(const world::TrackedFrame& frame,
+                                                 const world::TrackedRobot& robot, world::Time earliest) {
+  Near& near = near_[robot.id.team][robot.id.number];
+  const auto in_area = [&](world::Side side) { return depth_in_area(field_, side, robot.position) > 0; };
+  const bool on_the_ground = frame.ball && !frame.ball->flight;
+  const bool inside = in_area(world::Side::Negative) || in_area(world::Side::Positive);
+  if (!on_the_ground || !inside || gap_to_ball(field_, robot, on_ground(*frame.ball)) > beside) {
+    near = {};
+    return std::nullopt;
+  }
+  if (!near.since) near.since = frame.time;
+  const world::Vector2d ball = on_ground(*frame.ball);
+  const auto presses = [&](const world::TrackedRobot& one) {
+    return gap_to_ball(field_, one, ball) < pressing;
+  };
+  const auto against = [&](const world::TrackedRobot& other) {
+    return other.id != robot.id && presses(other) && (ball - robot.position).dot(ball - other.position) < 0;
+  };
+  const bool is_pressed = presses(robot) && std::ranges::any_of(frame.robots, against);
+  near.pressed = is_pressed ? near.pressed + 1 : 0;
+  if (near.pressed < frames_pressed) return std::nullopt;
+  return world::Touch{robot.id, std::max({*near.since, frame.time - longest_ago, earliest}), ball};
+}
+
 const std::vector<AreaTouches::One>& AreaTouches::update(const world::TrackedFrame& frame,
                                                          const world::GameState& state) {
   past_.add(frame);
@@ -56,6 +85,11 @@ const std::vector<AreaTouches::One>& AreaTouches::update(const world::TrackedFra
   };
   for (const world::Touch& touch : frame.touches) add(touch);
   if (const auto touch = carried(frame)) add(*touch);
+  for (const world::TrackedRobot& robot : frame.robots) {
+    if (robot.id.number > world::max_robot_number) continue;
+    const auto touch = pressed(frame, robot, state.location_time);
+    if (touch && in_play(field_, state, *touch)) found_.push_back({*touch, robot.position});
+  }
   return found_;
 }
 

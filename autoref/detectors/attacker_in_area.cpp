@@ -14,11 +14,12 @@ constexpr world::Duration cool_down = std::chrono::seconds{2};
 Events AttackerInArea::update(const world::TrackedFrame& frame, const world::GameState& state) {
   for (const auto& [touch, place] : touches_.update(frame, state)) {
     const world::RobotId robot = touch.robot;
-    if (reported_ && frame.time - *reported_ < cool_down) continue;
     const world::Side attacked = world::other(world::defended_side(state, robot.team));
     const double depth = depth_in_area(field_, attacked, place);
     if (depth < margin_) continue;
-    reported_ = frame.time;
+    const bool goes_on = last_ && frame.time - *last_ < cool_down;
+    last_ = frame.time;
+    if (goes_on) continue;
     return {{touch.time, world::AttackerTouchedBallInDefenseArea{robot, place, touch.position, depth}}};
   }
   return {};

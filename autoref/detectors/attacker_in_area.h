@@ -11,7 +11,7 @@ namespace detectors {
 /// Rule    laws of 2015, Law 12, indirect free kicks: partly or wholly inside.
 /// Guard   a certain touch (AreaTouches, sure_touch) by a robot whose hull reached distance_margin into the
 ///         area at that time.
-/// Resets  a robot is reported at most every 2 s (TIGERs).
+/// Resets  when there was no offence for 2 s (TIGERs): one that goes on is one.
 class AttackerInArea final : public Detector {
  public:
   explicit AttackerInArea(const world::RuleSet& rules)
@@ -20,14 +20,14 @@ class AttackerInArea final : public Detector {
   Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     touches_.reset();
-    reported_.reset();
+    last_.reset();
   }
 
  private:
   world::Field field_;
   double margin_;
   AreaTouches touches_;
-  std::optional<world::Time> reported_;
+  std::optional<world::Time> last_;  // offence, reported or going on
 };
 
 }  // namespace detectors

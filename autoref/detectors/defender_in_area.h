@@ -13,7 +13,7 @@ namespace detectors {
 ///         free kick (I-9). The goalie is exempt (I-8).
 /// Guard   a certain touch (AreaTouches, sure_touch) by a robot whose hull reached distance_margin into the
 ///         area at that time, or was all inside by distance_margin.
-/// Resets  a robot is reported at most every 2 s (TIGERs).
+/// Resets  when there was no offence for 2 s (TIGERs): one that goes on is one.
 class DefenderInArea final : public Detector {
  public:
   explicit DefenderInArea(const world::RuleSet& rules)
@@ -22,14 +22,14 @@ class DefenderInArea final : public Detector {
   Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     touches_.reset();
-    reported_.reset();
+    last_.reset();
   }
 
  private:
   world::Field field_;
   double margin_;
   AreaTouches touches_;
-  std::optional<world::Time> reported_;
+  std::optional<world::Time> last_;  // offence, reported or going on
 };
 
 }  // namespace detectors

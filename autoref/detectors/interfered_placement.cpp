@@ -6,18 +6,18 @@ namespace detectors {
 
 Events InterferedPlacement::update(const world::TrackedFrame& frame, const world::GameState& state) {
   Events events;
-  const auto ball = observed_ball(frame);
-  if (is_stop(state) && state.reset_position && !ball) return {};  // a frame without ball says nothing
-  const bool to_be_placed =
-      is_stop(state) && state.reset_position && (*ball - *state.reset_position).norm() > tolerance_;
+  const bool placing = is_stop(state) && state.reset_position;
+  if (placing && !frame.ball) return {};  // a frame without ball says nothing
+  const world::Vector2d ball = placing ? on_ground(*frame.ball) : world::Vector2d::Zero();
+  const bool to_be_placed = placing && (ball - *state.reset_position).norm() > tolerance_;
   for (const world::TrackedRobot& robot : frame.robots) {
     if (robot.id.number > world::max_robot_number) continue;
     Watched& watched = watched_[robot.id.team][robot.id.number];
     const bool in_the_way =
         to_be_placed &&
-        world::distance({*ball, *state.reset_position}, robot.position) - field_.robot_radius < distance_;
+        world::distance({ball, *state.reset_position}, robot.position) - field_.robot_radius < distance_;
     if (!in_the_way) {
-      watched.since.reset();
+      if (!placing || frame.ball->observed) watched.since.reset();
       continue;
     }
     if (!watched.since) watched.since = frame.time;

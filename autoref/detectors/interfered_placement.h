@@ -13,7 +13,8 @@ namespace detectors {
 ///         ball. No punishment is named: it is noted. The measure is that of the later laws.
 /// Guard   stop_distance - distance_margin - (hull to the way from the ball to its place)  [m] for
 /// stop_grace,
-///         while the ball is not in its place.
+///         while the ball is not in its place. A ball that nobody sees is where the filter believes it; that
+///         a robot is out of the way is known when the ball is seen.
 /// Resets  a robot is reported once per stoppage.
 /// Source  2 s and the distance to the segment: reference "protocol", 6.3 and 6.4.
 class InterferedPlacement final : public Detector {

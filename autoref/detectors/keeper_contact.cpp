@@ -3,8 +3,9 @@
 namespace detectors {
 namespace {
 
-constexpr int frames_needed = 3;
-constexpr double apart = 0.02;  // [m] between hulls
+constexpr int frames_needed = 2;
+constexpr double touching = 0.001;  // [m] between hulls: the filter's error
+constexpr double apart = 0.02;      // [m] between hulls
 
 }  // namespace
 
@@ -22,7 +23,7 @@ Events KeeperContact::update(const world::TrackedFrame& frame, const world::Game
       const double gap = (robot.position - keeper->position).norm() - 2 * field_.robot_radius;
       if (gap > apart) frames = 0;
       const world::Vector2d place = (robot.position + keeper->position) / 2;
-      if (gap > 0 || world::distance_to_defense_area(field_, side, place) > -margin_) continue;
+      if (gap > touching || world::distance_to_defense_area(field_, side, place) > -margin_) continue;
       if (++frames == frames_needed) {
         events.push_back({frame.time, world::AttackerTouchedKeeper{robot.id, id, place}});
       }

@@ -11,10 +11,10 @@ namespace detectors {
 ///
 /// Rule    laws of 2015, Law 12, indirect free kicks: the point of contact is in the defense area; whoever of
 ///         them moved. The event's name is the league's of that time.
-/// Guard   2 robot_radius - distance of the centres  [m], in three frames in a row in which both were seen,
-///         the middle between them in the area by distance_margin.
+/// Guard   2 robot_radius + 1 mm - distance of the centres  [m], in two frames in which both were seen, the
+///         middle between them in the area by distance_margin.
 /// Resets  when the hulls are 20 mm apart.
-/// Source  three frames: ours, against one frame's noise.
+/// Source  two frames: ours, against one frame's noise. They need not be in a row: hulls bounce.
 class KeeperContact final : public Detector {
  public:
   explicit KeeperContact(const world::RuleSet& rules) : field_(rules.field), margin_(rules.distance_margin) {}

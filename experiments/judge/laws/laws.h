@@ -31,6 +31,11 @@ class Laws {
   /// The game is over.
   void finish() {
     exits_.finish(bands_, events_);
+    if (location_ == world::Location::GameOn) {
+      areas_.finish(events_);
+      keeper_holds_.finish(rules_, bands_, events_);
+      contacts_.finish(rules_, bands_, events_);
+    }
     ball_speed_.finish(rules_, bands_, events_);
     stops_.finish(events_);
   }

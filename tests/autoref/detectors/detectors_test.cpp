@@ -11,6 +11,8 @@
 #include "autoref/detectors/defender_in_area.h"
 #include "autoref/detectors/double_touch.h"
 #include "autoref/detectors/dribbled_too_far.h"
+#include "autoref/detectors/interfered_placement.h"
+#include "autoref/detectors/keeper_contact.h"
 #include "autoref/detectors/keeper_held_ball.h"
 #include "autoref/detectors/kick_taken.h"
 #include "autoref/detectors/kicked_too_fast.h"
@@ -265,6 +267,82 @@ TEST(DefenderInArea, CarriesTheBallBesideItsGoalieButNotBesideAnOpponent) {
       events += detector.update(frame, state).size();
     }
     EXPECT_EQ(events, goalie ? 1u : 0u);
+  }
+}
+
+TEST(DefenderInArea, TouchesABallThatItPressesAgainstItsGoalie) {
+  // A ball at rest, hidden; yellow 3 comes on at 0.5 m/s and stops 5 mm before the place where the ball is
+  // believed. With the goalie behind the ball there is no room; with the goalie 30 mm away, or on the same
+  // side, the ball may lie free.
+  enum class Goalie { Behind, Away, Beside };
+  for (const Goalie goalie : {Goalie::Behind, Goalie::Away, Goalie::Beside}) {
+    DefenderInArea detector(rules());
+    const world::GameState state;
+    const double own = world::sign(world::defended_side(state, Team::Yellow));
+    const Vector2d ball(own * 4.1, 0);
+    std::vector<GameEvent> events;
+    for (int i = 0; i < 300; ++i) {
+      TrackedFrame frame = frame_at(Time{i * 10ms}, ball);
+      frame.ball->observed = false;
+      frame.ball->unseen = 100ms + i * 10ms;
+      const double gap = std::max(0.005, 0.05 - 0.005 * i);  // within 20 mm at 60 ms, within 10 mm at 80 ms
+      frame.robots[0].position = ball - Vector2d(0.073 + 0.0215 + gap, 0);
+      world::TrackedRobot other;
+      other.id = {Team::Yellow, static_cast<std::uint8_t>(state.keeper[Team::Yellow])};
+      const double way = 0.09 + 0.0215 + (goalie == Goalie::Away ? 0.03 : 0.001);
+      const double angle = goalie == Goalie::Beside ? 2.2 : 0.0;  // against yellow 3, at pi
+      other.position = ball + way * world::direction(angle);
+      other.orientation = angle;  // its back to the ball
+      frame.robots.push_back(other);
+      for (GameEvent& event : detector.update(frame, state)) events.push_back(event);
+    }
+    ASSERT_EQ(events.size(), goalie == Goalie::Behind ? 1u : 0u);  // one that goes on is one
+    if (!events.empty()) {
+      EXPECT_EQ(events[0].time, Time{60ms});
+    }
+  }
+}
+
+TEST(KeeperContact, SumsUpTheFramesOfHullsThatBounce) {
+  // 0.5 mm, then 10 mm apart, and again; or 3 mm all the time.
+  for (const bool touches : {true, false}) {
+    KeeperContact detector(rules());
+    const world::GameState state;
+    const double own = world::sign(world::defended_side(state, Team::Blue));
+    std::size_t events = 0;
+    for (int i = 0; i < 60; ++i) {
+      TrackedFrame frame = frame_at(Time{i * 10ms}, {0, 0});
+      const double gap = !touches ? 0.003 : i % 20 == 10 ? 0.0005 : 0.01;
+      frame.robots[0].position = {own * 4.0, 0};
+      world::TrackedRobot goalie;
+      goalie.id = {Team::Blue, static_cast<std::uint8_t>(state.keeper[Team::Blue])};
+      goalie.position = {own * 4.0, 0.18 + gap};
+      frame.robots.push_back(goalie);
+      for (world::TrackedRobot& robot : frame.robots) robot.observed = true;
+      events += detector.update(frame, state).size();
+    }
+    EXPECT_EQ(events, touches ? 1u : 0u);
+  }
+}
+
+TEST(InterferedPlacement, BeginsWithAHiddenBallButDoesNotEndWithIt) {
+  // Hidden for the first second, as where it was taken out; a robot on its way. In the middle it is believed
+  // elsewhere for a moment, which frees nobody; that the ball is seen elsewhere does.
+  for (const bool seen : {false, true}) {
+    InterferedPlacement detector(rules());
+    world::GameState state;
+    state.location = world::Location::GameOff;
+    state.command.kind = world::CommandKind::Stop;
+    state.reset_position = Vector2d{2, 0};
+    std::size_t events = 0;
+    for (int i = 0; i <= 210; ++i) {
+      const bool elsewhere = i >= 50 && i < 60;
+      TrackedFrame frame = frame_at(Time{i * 10ms}, {elsewhere ? 2.6 : 0.0, 0});
+      frame.robots[0].position = {1, 0.3};
+      frame.ball->observed = i >= 100 || (elsewhere && seen);
+      events += detector.update(frame, state).size();
+    }
+    EXPECT_EQ(events, seen ? 0u : 1u);
   }
 }
 

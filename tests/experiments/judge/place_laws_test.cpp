@@ -106,6 +106,18 @@ TEST(Progress, IsAQuarterOfAMetreInAnySecond) {
   for (const TrueEvent& event : rolls.told(Event::NoProgress)) EXPECT_FALSE(event.happened());
 }
 
+TEST(KeeperHolds, NearlyTooLongWhenTheGameEnds) {
+  Story story;
+  story.state.keeper = {0, 0};
+  story.robot(blue(0), {4.2, 0}).orientation = 3.14159265358979323846;
+  story.ball.position = {4.2 - 0.0945, 0, Story::radius};
+  story.tick(15 * 60 - 6);  // 0.1 s and a tick are missing
+  story.end();
+  const auto held = story.told(Event::KeeperHeldBall);
+  ASSERT_EQ(held.size(), 1u);
+  EXPECT_NEAR(held[0].margin, -(0.1 + world::tick_length) / 0.2, exact);
+}
+
 TEST(Progress, IsNoMatterWhileTheGoalieHoldsTheBall) {
   Story story;
   story.state.keeper = {0, 0};

@@ -57,6 +57,28 @@ TEST(Areas, AreAmbiguousAmongOpponentsOnly) {
   EXPECT_EQ(alone[0].clear, alone[0].time) << "a band deep from the first touch on";
 }
 
+TEST(Areas, KnowATouchWithWhichTheGameEnds) {
+  Story story;
+  story.state.keeper = {0, 0};
+  story.robot(blue(3), {3.9, 0});
+  story.ball.position = {4.0, 0, Story::radius};
+  story.touch(blue(3));
+  story.tick();
+  EXPECT_TRUE(story.told(Event::DefenderInArea).empty()) << "it may last";
+  story.end();
+  EXPECT_EQ(story.told(Event::DefenderInArea).size(), 1u);
+}
+
+TEST(Contacts, KnowAMeetingWithWhichTheGameEnds) {
+  Story story;
+  story.robot(blue(3), {0, 0.5});
+  story.robot(yellow(2), {-0.2, 0.5}, {2, 0});  // hulls meet after 10 ms
+  story.tick(2);
+  EXPECT_TRUE(story.told(Event::Collision).empty()) << "they may part or push";
+  story.end();
+  EXPECT_EQ(story.told(Event::Collision).size(), 1u);
+}
+
 TEST(Areas, AreClearOnceABandDeep) {
   Story story;
   story.state.keeper = {0, 0};
