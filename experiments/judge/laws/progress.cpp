@@ -28,6 +28,16 @@ void Progress::watch(const Moment& moment, bool goalie_holds, std::vector<TrueEv
 
   const double limit = moment.rules.stuck_distance;
   const double near_limit = limit + near_bands * moment.bands.length;
+  const double lasted = world::seconds(now - *near_.since);
+  const double in_time = (lasted - world::seconds(moment.rules.stuck_time)) / moment.bands.time;
+  if (moved >= near_limit && in_time < 0) {
+    report(out, {.event = Event::NoProgress,
+                 .time = now,
+                 .margin = in_time,
+                 .value = lasted,
+                 .place = moment.ball()});
+  }
+
   nominal_.best = std::max(nominal_.best, moved);
   near_.best = std::max(near_.best, moved);
   if (moved >= limit) nominal_ = {now, 0};

@@ -157,6 +157,25 @@ TEST(DoubleTouch, IsTheKickersUnlessAnotherRobotTouchedBefore) {
   EXPECT_TRUE(second_touch(true).told(Event::DoubleTouch).empty());
 }
 
+/// After its kick the kicker comes back, up to a gap, and then another robot plays the ball.
+std::vector<TrueEvent> back_at_the_ball(double gap) {
+  Story story = free_kick();
+  story.tick();
+  story.robot(yellow(1)).position.x() = story.ball.position.x() - 0.0945 - gap;
+  story.tick(30);
+  story.touch(blue(1));
+  story.tick(30);
+  return story.told(Event::DoubleTouch);
+}
+
+TEST(DoubleTouch, IsNearlyOneWhenTheKickerComesBackWithoutTouching) {
+  const auto nearly = back_at_the_ball(0.05);
+  ASSERT_EQ(nearly.size(), 1u);
+  EXPECT_NEAR(nearly[0].margin, -0.05 / 0.04, exact);
+  EXPECT_EQ(nearly[0].by, yellow(1));
+  EXPECT_TRUE(back_at_the_ball(0.081).empty());  // two bands are 0.08 m
+}
+
 /// The same second touch, `ticks` after play was stopped.
 std::vector<TrueEvent> touch_after_whistle(int ticks) {
   Story story = free_kick();

@@ -106,6 +106,21 @@ TEST(Progress, IsAQuarterOfAMetreInAnySecond) {
   for (const TrueEvent& event : rolls.told(Event::NoProgress)) EXPECT_FALSE(event.happened());
 }
 
+TEST(Progress, WasNearlyMissingWhenTheBallIsPlayedJustInTime) {
+  const auto played_after = [](int ticks) {
+    Story story;
+    story.tick(ticks);
+    story.ball.velocity = {3, 0, 0};
+    story.tick(30);
+    return story.told(Event::NoProgress);
+  };
+  const auto nearly = played_after(12 * 60 - 20);
+  ASSERT_EQ(nearly.size(), 1u);
+  // Seven ticks until it is a third of a metre away.
+  EXPECT_NEAR(nearly[0].margin, -13.0 / 60 / 0.2, 1.5 / 60 / 0.2);  // ticks are told by their time
+  EXPECT_TRUE(played_after(12 * 60 - 40).empty());
+}
+
 TEST(Progress, IsNoMatterWhileTheGoalieHoldsTheBall) {
   Story story;
   story.state.keeper = {0, 0};
