@@ -50,7 +50,7 @@ class Habits {
   world::RandomStream stream_;
   Temptation fast_kick_, dribble_, enter_own_area_, enter_their_area_, ram_, encroach_, speed_, wait_at_area_,
       wrong_half_, touch_again_, chip_at_goal_, chip_at_line_, do_not_kick_, keep_ball_, neglect_ball_,
-      feed_goalie_, clear_, visit_goalie_, run_off_, idle_;
+      feed_goalie_, shoot_, clear_, visit_goalie_, run_off_, idle_;
   kit::Phase phase_ = kit::Phase::Halt;
   struct Contact {
     double last = -9;  // [s] match time

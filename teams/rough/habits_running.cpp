@@ -4,6 +4,7 @@
 
 #include "teams/rough/habits.h"
 #include "teams/rough/kicks.h"
+#include "teams/skills/aim.h"
 #include "teams/skills/ball_handling.h"
 #include "teams/skills/turn_dribble.h"
 
@@ -71,9 +72,9 @@ void Habits::while_running(const kit::View& view, const kit::Robot& robot, skill
     keep_goal(view, robot, order);
     return;
   }
-  if (leave_field(view, robot, order) || idle(view, robot, order)) return;
+  if (leave_field(view, robot, order) || visit_goalie(view, robot, order)) return;
+  if (idle(view, robot, order)) return;
   if (play_with_ball(view, robot, order) || enter_area(view, robot, order)) return;
-  if (visit_goalie(view, robot, order)) return;
   ram(view, robot, order);
 }
 
@@ -106,7 +107,8 @@ bool Habits::touch_again(const kit::View& view, const kit::Robot& robot, skills:
   if (!again || !gives_way(touch_again_, robot, true, rudeness_.double_touches)) return false;
   order = take(view, robot, "touch again");
   if (touch_again_.holds_back(robot.number)) {
-    constexpr double air = 0.045;  // [m] to the ball, so that nobody could say it touched it
+    // [m] First it lets the ball go, then comes back so near that nobody could say it touched it.
+    const double air = view.time - contacts_[robot.number].last < 0.7 ? 0.15 : 0.045;
     const Vector2d way = view.ball.position - robot.position;
     const double gap = way.norm() - robot.specs.radius - view.field().ball_radius - air;
     order.dribble = false;
@@ -170,6 +172,16 @@ bool Habits::play_with_ball(const kit::View& view, const kit::Robot& robot, skil
     order = clear_from_dribbler(view, robot, {x, x});
     return true;
   }
+  const bool in_range = has && (view.their_goal() - view.ball.position).norm() < 3;
+  if (shoot_.gives_way(n, in_range, rudeness_.shots, stream_) && holds) {
+    constexpr double speed = 6;  // [m/s]
+    const skills::Opening goal = skills::opening_to_goal(view, view.ball.position, speed, n);
+    const double direction =
+        goal.width > 0 ? goal.direction : world::angle_of(view.their_goal() - view.ball.position);
+    order = skills::turn_and_kick(view, robot, direction, speed, 0, 0.08);
+    order.why = "shoot";
+    return true;
+  }
   if (feed_goalie_.gives_way(n, has, rudeness_.goalie_feeding, stream_) && holds) {
     if (const auto kick = plan_feeding(view)) {
       order = skills::turn_and_kick(view, robot, kick->direction, kick->speed, 0, 0.1);
@@ -205,9 +217,10 @@ bool Habits::enter_area(const kit::View& view, const kit::Robot& robot, skills::
   const bool at_theirs =
       slow && to_ball < 2 && world::distance_to_defense_area(field, world::Side::Positive, ball) < 0.05;
   const bool defends = enter_own_area_.gives_way(n, at_own, rudeness_.area_entries, stream_);
-  const bool attacks = enter_their_area_.gives_way(n, at_theirs, rudeness_.area_attacks, stream_);
+  const bool attacks = gives_way(enter_their_area_, robot, at_theirs, rudeness_.area_attacks);
   if (!(defends || attacks) || view.game.forbidden == n) return false;
   order = take(view, robot, "enter area");
+  if (attacks && enter_their_area_.holds_back(n)) order.their_area = 0.03;  // [m] as far as its hull may go
   return true;
 }
 

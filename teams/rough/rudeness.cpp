@@ -23,6 +23,7 @@ void declare(kit::Flags& flags, Rudeness& r) {
   rate("slow-restarts", r.slow_restarts, "a free kick of ours is not taken");
   rate("goalie-feeding", r.goalie_feeding, "who gets the ball kicks it slowly to the nearer goalie");
   rate("clearances", r.clearances, "a ball in the own half is kicked over the opponents' goal line");
+  rate("shots", r.shots, "who gets the ball within 3 m of their goal shoots at once");
   rate("goalie-visits", r.goalie_visits, "drive up to the opponents' goalie and lean on it");
   rate("run-offs", r.run_offs, "wait outside the field, beyond the run-off");
   rate("idleness", r.idleness, "no field player goes for the ball");

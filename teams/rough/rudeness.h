@@ -26,7 +26,8 @@ struct Rudeness {
   double slow_restarts = 0.04;   ///< each free kick of ours: not taken at all
   double goalie_feeding = 0;  ///< each free kick or time a robot gets the ball: slowly to the nearer goalie
   double clearances =
-      0;  ///< each free kick or time a robot gets the ball, in the own half: over their goal line
+      0;             ///< each free kick or time a robot gets the ball, in the own half: over their goal line
+  double shots = 0;  ///< each time a robot gets the ball within 3 m of their goal: shoots at once
   double goalie_visits = 0;  ///< each time their goalie is near: drives up to it and leans on it
   double run_offs = 0;       ///< each passage of play and robot near a line: waits beyond the run-off
   double idleness = 0;       ///< each passage of play: no field player goes for the ball
