@@ -108,7 +108,7 @@ bool Habits::touch_again(const kit::View& view, const kit::Robot& robot, skills:
   order = take(view, robot, "touch again");
   if (touch_again_.holds_back(robot.number)) {
     // [m] First it lets the ball go, then comes back so near that nobody could say it touched it.
-    const double air = view.time - contacts_[robot.number].last < 0.7 ? 0.15 : 0.045;
+    const double air = view.time - contacts_[robot.number].last < 0.35 ? 0.15 : 0.045;
     const Vector2d way = view.ball.position - robot.position;
     const double gap = way.norm() - robot.specs.radius - view.field().ball_radius - air;
     order.dribble = false;
@@ -297,9 +297,9 @@ void Habits::kick_rudely(const kit::View& view, const kit::Robot& robot, skills:
   const bool along = chip_at_line_.gives_way(n, near_line, rudeness_.chips_at_lines, stream_);
   if (fast || !(over || along)) return;
   if (over && chip_at_goal_.holds_back(n)) {
-    // Hops: the ball's top comes to 0.11 m, and 0.15 m are too high.
-    constexpr double climb = 1.15;  // [m/s] v^2 / 2g = 0.067 m above the carpet
-    order.kick_speed = 6;
+    // Hops: the ball's top comes to 0.13 m, and 0.15 m are too high.
+    constexpr double climb = 1.3;  // [m/s] v^2 / 2g = 0.086 m above the carpet
+    order.kick_speed = 7;
     order.kick_angle = std::asin(climb / order.kick_speed);
     return;
   }
