@@ -16,7 +16,8 @@ namespace judge {
 class Progress {
  public:
   /// @param goalie_holds  that is no lack of progress, but an offence of its own
-  void watch(const Moment& moment, bool goalie_holds, std::vector<TrueEvent>& out);
+  /// @param ball_is_out   nobody has said so: where it goes then is no progress, and that is told at any time
+  void watch(const Moment& moment, bool goalie_holds, bool ball_is_out, std::vector<TrueEvent>& out);
 
  private:
   /// No second was better than `limit`.
@@ -26,6 +27,7 @@ class Progress {
   };
   std::deque<std::pair<world::Time, world::Vector2d>> places_;  // of the last second
   Stretch nominal_, near_;
+  std::optional<std::size_t> out_;  // index of what was told of a ball that is out
 };
 
 }  // namespace judge

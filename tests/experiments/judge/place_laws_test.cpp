@@ -121,6 +121,31 @@ TEST(Progress, WasNearlyMissingWhenTheBallIsPlayedJustInTime) {
   EXPECT_TRUE(played_after(12 * 60 - 40).empty());
 }
 
+TEST(Progress, IsNotMadeByABallThatIsOut) {
+  Story story;
+  story.ball.position = {0, 2.9, Story::radius};
+  story.ball.velocity = {0, 1, 0};
+  story.tick(30);  // out after 0.14 s; nobody has said so
+  story.ball.velocity = {0.5, 0, 0};
+  story.tick(12 * 60 + 50);
+  const auto stuck = story.told(Event::NoProgress);
+  ASSERT_EQ(stuck.size(), 1u);
+  EXPECT_TRUE(stuck[0].late);  // counts only where somebody called it, whenever
+  EXPECT_GT(stuck[0].until, stuck[0].time);
+}
+
+TEST(Laws, TellWhatGoesOnWhenTheGameEnds) {
+  Story story;
+  story.robot(blue(2), {0, 3.36});
+  story.tick(12 * 60 - 5);
+  EXPECT_TRUE(story.told(Event::RobotLeftField).empty());
+  story.end();
+  EXPECT_EQ(story.told(Event::RobotLeftField).size(), 1u);
+  const auto stuck = story.told(Event::NoProgress);  // whoever calls it is not wrong
+  ASSERT_EQ(stuck.size(), 1u);
+  EXPECT_TRUE(stuck[0].close());
+}
+
 TEST(Progress, IsNoMatterWhileTheGoalieHoldsTheBall) {
   Story story;
   story.state.keeper = {0, 0};
