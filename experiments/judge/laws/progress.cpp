@@ -9,7 +9,7 @@ constexpr world::Duration window = std::chrono::seconds{1};
 
 void Progress::watch(const Moment& moment, bool goalie_holds, bool ball_is_out, std::vector<TrueEvent>& out) {
   if (!moment.in_play() && near_.since &&
-      moment.now.time - *near_.since >= moment.rules.stuck_time - window) {
+      moment.now.time - std::min(*near_.since, *nominal_.since) >= moment.rules.stuck_time - window) {
     // The referee tells it in whole seconds.
     out.push_back(
         {.event = Event::NoProgress, .time = moment.now.time, .margin = -0.5, .place = moment.ball()});

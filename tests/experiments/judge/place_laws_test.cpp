@@ -134,6 +134,19 @@ TEST(Progress, IsNotMadeByABallThatIsOut) {
   EXPECT_GT(stuck[0].until, stuck[0].time);
 }
 
+TEST(Progress, IsNobodysFaultShortlyBeforeItIsMissing) {
+  Story story;
+  story.ball.velocity = {0.3, 0, 0};  // nearly none
+  story.tick(6 * 60);
+  story.ball.velocity.setZero();
+  story.tick(11 * 60 + 10);
+  story.enter(Location::GameOff);
+  story.tick(30);
+  const auto told = story.told(Event::NoProgress);
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_TRUE(told[1].close());
+}
+
 TEST(Laws, TellWhatGoesOnWhenTheGameEnds) {
   Story story;
   story.robot(blue(2), {0, 3.36});
