@@ -9,7 +9,7 @@ namespace {
 
 // Hull to the ball [m].
 constexpr double contact = 0.02;
-constexpr double separate = 0.04;
+constexpr double separate = 0.03;
 constexpr int frames_of_separation = 2;
 constexpr double taken_at = 0.05;  // of a robot that may have taken a hidden ball
 
@@ -33,11 +33,17 @@ Events DribbledTooFar::update(const world::TrackedFrame& frame, const world::Gam
     std::optional<Dribble>& dribble = dribbles_[robot.id.team][robot.id.number];
     const double gap = gap_to_ball(field_, robot, ball);
     if (!dribble) {
-      if (gap < contact && !frame.ball->flight) dribble = Dribble{ball, {frame.time, -max_distance_}};
+      if (gap < (seen ? contact : separate) && !frame.ball->flight)
+        dribble = Dribble{ball, {frame.time, -max_distance_}};
       continue;
     }
     if (gap > separate) {
-      if (++dribble->frames_apart >= frames_of_separation) dribble.reset();
+      // Where a hidden ball is nobody knows so well.
+      if (!seen) {
+        dribble->doubtful = true;
+      } else if (++dribble->frames_apart >= frames_of_separation) {
+        dribble.reset();
+      }
       continue;
     }
     const world::GuardSample now{frame.time, (ball - dribble->start).norm() - max_distance_};

@@ -24,9 +24,9 @@ Events KeeperHeldBall::update(const world::TrackedFrame& frame, const world::Gam
     since_.reset();
     reported_ = false;
   }
-  if (!since_ || reported_ || frame.time - *since_ <= limit_) return {};
+  if (!since_ || reported_ || last_ - *since_ <= limit_) return {};  // while it has the ball, not after
   reported_ = true;
-  const world::KeeperHeldBall held{*holder_, on_ground(*frame.ball), frame.time - *since_};
+  const world::KeeperHeldBall held{*holder_, on_ground(*frame.ball), last_ - *since_};
   return {{frame.time, held}};
 }
 

@@ -13,8 +13,8 @@ namespace detectors {
 ///         referee's walking area. Only doing so deliberately is punished, which nobody can measure: it is
 ///         noted.
 /// Guard   centre of the robot outside the lines - run_off  [m] for run_off_time.
-/// Resets  when the robot is back inside; one that stays out from one passage of play to the next is noted
-///         once.
+/// Resets  when the robot is back inside, to be noted again by 80 mm; one that stays out from one passage of
+///         play to the next is noted once.
 class RobotLeftField final : public Detector {
  public:
   explicit RobotLeftField(const world::RuleSet& rules)

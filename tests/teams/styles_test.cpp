@@ -57,7 +57,7 @@ TEST(Rough, ATemptationIsDecidedOncePerOpportunity) {
 
 TEST(Rough, WithoutHabitsEveryOrderStaysAsItIs) {
   rough::Rudeness none;
-  none = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  none = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
   rough::Habits habits(none, 1);
   kit::View view = running({0, 0});
   const kit::Robot robot = put(view.own, 1, {-0.1, 0});

@@ -81,23 +81,20 @@ void Areas::finish(Open& open, std::vector<TrueEvent>& out) {
   open.worst.reset();
 }
 
-void KeeperHolds::finish(const world::RuleSet& rules, const Bands& bands, std::vector<TrueEvent>& out) {
-  if (!hold_) return;
-  if (!hold_->reported) {
-    const double held = world::seconds(hold_->last - hold_->since);
-    report(out, {.event = Event::KeeperHeldBall,
-                 .time = hold_->last,
-                 .margin = (held - world::seconds(rules.keeper_hold)) / bands.time,
-                 .value = held,
-                 .by = hold_->keeper,
-                 .place = hold_->ball});
-  }
-  hold_.reset();
-}
-
 void KeeperHolds::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   const world::Field& field = moment.rules.field;
-  const auto finish = [&] { this->finish(moment.rules, moment.bands, out); };
+  const auto finish = [&] {
+    if (!hold_->reported) {
+      const double held = world::seconds(hold_->last - hold_->since);
+      report(out, {.event = Event::KeeperHeldBall,
+                   .time = hold_->last,
+                   .margin = (held - world::seconds(moment.rules.keeper_hold)) / moment.bands.time,
+                   .value = held,
+                   .by = hold_->keeper,
+                   .place = moment.ball()});
+    }
+    hold_.reset();
+  };
   if (hold_ && (!moment.in_play() || moment.entered || moment.now.time - hold_->last > let_go)) finish();
   if (!moment.in_play()) return;
   for (const world::Team team : world::both_teams) {
@@ -107,9 +104,8 @@ void KeeperHolds::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     if (keeper == nullptr || world::distance_to_defense_area(field, side, moment.ball()) > 0) continue;
     if (!keeper->ball_contact && gap(field, *keeper, moment.now.ball) > at_hull) continue;
     if (hold_ && hold_->keeper != id) finish();
-    if (!hold_) hold_ = Hold{id, moment.now.time, moment.now.time, moment.ball()};
+    if (!hold_) hold_ = Hold{id, moment.now.time, moment.now.time};
     hold_->last = moment.now.time;
-    hold_->ball = moment.ball();
     if (!hold_->reported && hold_->last - hold_->since > moment.rules.keeper_hold) {
       hold_->reported = true;
       report(out, {.event = Event::KeeperHeldBall,

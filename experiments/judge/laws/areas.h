@@ -19,12 +19,6 @@ namespace judge {
 class Areas {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);
-  /// The game is over: what goes on has happened.
-  void finish(std::vector<TrueEvent>& out) {
-    for (Open& open : open_) {
-      if (open.worst) finish(open, out);
-    }
-  }
 
  private:
   struct Open {
@@ -46,8 +40,6 @@ class Areas {
 class KeeperHolds {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);
-  /// The game is over, or the goalie has let go: it may nearly have been too long.
-  void finish(const world::RuleSet& rules, const Bands& bands, std::vector<TrueEvent>& out);
   /// The goalie that has the ball now.
   std::optional<world::RobotId> holder() const;
 
@@ -55,7 +47,6 @@ class KeeperHolds {
   struct Hold {
     world::RobotId keeper;
     world::Time since, last;
-    world::Vector2d ball = world::Vector2d::Zero();  // [m] at `last`
     bool reported = false;
   };
   std::optional<Hold> hold_;

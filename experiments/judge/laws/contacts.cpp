@@ -12,7 +12,7 @@ void Contacts::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   if (!moment.in_play() || moment.entered) {
     for (auto& row : meetings_) {
       for (Meeting& meeting : row) {
-        if (meeting.close && !moment.in_play()) part(moment.rules, moment.bands, meeting, out);
+        if (meeting.close && !moment.in_play()) part(moment, meeting, out);
         meeting = {};
       }
     }
@@ -34,7 +34,7 @@ void Contacts::meet(const Moment& moment, const truth::Robot& yellow, const trut
   const double between = way.norm() - 2 * field.robot_radius;
   const bool close = between < near_bands * moment.bands.length;
   if (!close || (meeting.met && between > apart)) {
-    if (meeting.close) part(moment.rules, moment.bands, meeting, out);
+    if (meeting.close) part(moment, meeting, out);
     meeting = {};
     if (!close) return;
   }
@@ -97,26 +97,18 @@ void Contacts::watch_keeper(const Moment& moment, const truth::Robot& yellow, co
   }
 }
 
-void Contacts::finish(const world::RuleSet& rules, const Bands& bands, std::vector<TrueEvent>& out) {
-  for (auto& row : meetings_) {
-    for (Meeting& meeting : row) {
-      if (meeting.close) part(rules, bands, meeting, out);
-    }
-  }
-}
-
-void Contacts::part(const world::RuleSet& rules, const Bands& bands, Meeting& meeting,
-                    std::vector<TrueEvent>& out) {
+void Contacts::part(const Moment& moment, Meeting& meeting, std::vector<TrueEvent>& out) {
   TrueEvent& hit = meeting.nearest;
-  const double too_fast = (meeting.speed - rules.crash_speed) / bands.speed;
-  const double missed_by = meeting.met ? 0 : std::max(meeting.least, 1e-9) / bands.length;
+  const double too_fast = (meeting.speed - moment.rules.crash_speed) / moment.bands.speed;
+  const double missed_by = meeting.met ? 0 : std::max(meeting.least, 1e-9) / moment.bands.length;
   hit.event = Event::Collision;
   hit.margin = meeting.met ? too_fast : std::min(too_fast, -missed_by);
   if (meeting.speed > 0) report(out, hit);
   if (meeting.keeper) {
     TrueEvent& keeper = *meeting.keeper;
     if (meeting.touched_keeper) {
-      const double lasted = (world::seconds(meeting.last - keeper.time) + world::tick_length) / bands.time;
+      const double lasted =
+          (world::seconds(meeting.last - keeper.time) + world::tick_length) / moment.bands.time;
       keeper.margin = std::min(keeper.margin, lasted);
     }
     report(out, keeper);

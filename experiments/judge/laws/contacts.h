@@ -19,8 +19,6 @@ namespace judge {
 class Contacts {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);
-  /// The game is over: what goes on has happened.
-  void finish(const world::RuleSet& rules, const Bands& bands, std::vector<TrueEvent>& out);
 
  private:
   struct Meeting {
@@ -37,8 +35,7 @@ class Contacts {
             std::vector<TrueEvent>& out);
   static void watch_keeper(const Moment& moment, const truth::Robot& yellow, const truth::Robot& blue,
                            double between, Meeting& meeting);
-  static void part(const world::RuleSet& rules, const Bands& bands, Meeting& meeting,
-                   std::vector<TrueEvent>& out);
+  void part(const Moment& moment, Meeting& meeting, std::vector<TrueEvent>& out);
 
   static constexpr std::size_t numbers = world::max_robot_number + 1;
   std::array<std::array<Meeting, numbers>, numbers> meetings_;  // yellow, blue

@@ -24,16 +24,18 @@ void Dribbles::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     const double apart = over || high ? 1 : gap(moment.rules.field, robot, moment.now.ball);
     if (its.strict && apart > separation) finish(moment, robot.id, out);
     if (its.lenient && apart > lenient_separation) {
-      if (its.lenient->passed && !its.strictly_too_far) {
+      const Dribble& lenient = *its.lenient;
+      if (lenient.passed ? !its.strictly_too_far : lenient.close && !its.strictly_close) {
         report(out, {.event = Event::DribbledTooFar,
-                     .time = *its.lenient->passed,
+                     .time = lenient.passed.value_or(*lenient.close),
+                     .until = moment.now.time,
                      .margin = -0.5,
-                     .value = its.lenient->farthest,
+                     .value = lenient.farthest,
                      .by = robot.id,
-                     .place = its.lenient->place});
+                     .place = lenient.place});
       }
       its.lenient.reset();
-      its.strictly_too_far = false;
+      its.strictly_too_far = its.strictly_close = false;
     }
     watch(moment, robot, apart, its.strict);
     watch(moment, robot, apart, its.lenient);
@@ -52,6 +54,9 @@ void Dribbles::watch(const Moment& moment, const truth::Robot& robot, double apa
   }
   const double distance = (ball - dribble->start).norm();
   dribble->farthest = std::max(dribble->farthest, distance);
+  if (!dribble->close && distance > moment.rules.max_dribble - moment.bands.length) {
+    dribble->close = moment.now.time;
+  }
   if (!dribble->passed && distance > moment.rules.max_dribble) {
     dribble->passed = moment.now.time;
     dribble->place = ball;
@@ -62,6 +67,7 @@ void Dribbles::finish(const Moment& moment, world::RobotId robot, std::vector<Tr
   OfRobot& its = robots_[slot(robot)];
   const Dribble& dribble = *its.strict;
   its.strictly_too_far = its.strictly_too_far || dribble.passed;
+  its.strictly_close = its.strictly_close || dribble.close;
   report(out, {.event = Event::DribbledTooFar,
                .time = dribble.passed.value_or(moment.now.time),
                .margin = (dribble.farthest - moment.rules.max_dribble) / moment.bands.length,

@@ -26,8 +26,7 @@ void Kicks::watch(const Moment& moment, std::vector<TrueEvent>& out) {
   else if (!stopped_)
     stopped_ = moment.now.time;
   if (second_ && stopped_ && (moment.by_hand || moment.now.time >= *stopped_ + patience)) {
-    if (second_->pushed) report(out, *second_->pushed);
-    second_.reset();
+    end_second(out);
   }
   const std::size_t first = out.size();
   if (second_) watch_second(moment, out);
@@ -107,13 +106,12 @@ void Kicks::look_around(const Moment& moment, std::vector<TrueEvent>& out) const
 
 void Kicks::watch_second(const Moment& moment, std::vector<TrueEvent>& out) {
   Second& second = *second_;
-  const truth::Robot* kicker = find_robot(moment.now, second.kicker);
   for (const TrueTouches::Contact& contact : moment.touches.fresh()) {
     const TrueTouch& touch = moment.touches[contact.touch];
     const bool same = contact.touch == second.first_touch;
     if (touch.robot != second.kicker || !same) {
-      if (second.pushed) report(out, *second.pushed);
       if (touch.robot == second.kicker) {
+        second.nearly.reset();
         report(out, {.event = Event::DoubleTouch,
                      .time = touch.begin,
                      .margin = second.apart / moment.bands.length,
@@ -122,7 +120,7 @@ void Kicks::watch_second(const Moment& moment, std::vector<TrueEvent>& out) {
                      .place = touch.place,
                      .ambiguous = touch.squeezed});
       }
-      second_.reset();
+      end_second(out);
       return;
     }
     const double pushed = (touch.place - second.place).norm() - moment.rules.kick_travel;
@@ -134,9 +132,33 @@ void Kicks::watch_second(const Moment& moment, std::vector<TrueEvent>& out) {
     second.pushed->value = std::max(second.pushed->value, pushed);
     second.pushed->margin = second.pushed->value / moment.bands.length;
   }
-  if (kicker != nullptr) {
-    second.apart = std::max(second.apart, gap(moment.rules.field, *kicker, moment.now.ball));
+  follow_ball(moment);
+}
+
+void Kicks::follow_ball(const Moment& moment) {
+  Second& second = *second_;
+  const truth::Robot* kicker = find_robot(moment.now, second.kicker);
+  if (kicker == nullptr) return;
+  const double between = gap(moment.rules.field, *kicker, moment.now.ball);
+  second.apart = std::max(second.apart, between);
+  const double margin = -std::max(between, 1e-9) / moment.bands.length;
+  const bool returned = second.apart > near_bands * moment.bands.length && margin > -near_bands;
+  if (!returned || (second.nearly && second.nearly->margin >= margin)) return;
+  second.nearly = TrueEvent{.event = Event::DoubleTouch,
+                            .time = moment.now.time,
+                            .margin = margin,
+                            .value = between,
+                            .by = second.kicker,
+                            .place = moment.ball()};
+}
+
+void Kicks::end_second(std::vector<TrueEvent>& out) {
+  if (second_->pushed) {
+    report(out, *second_->pushed);
+  } else if (second_->nearly) {
+    report(out, *second_->nearly);
   }
+  second_.reset();
 }
 
 }  // namespace judge

@@ -14,7 +14,8 @@ namespace judge {
 /// Second  the kicker touches again once the ball is in play and has been away from it, or still pushes it
 ///         there; before any other robot does.
 /// Margins how far the ball went; how much too near opponents and attackers stood, or over the halfway line;
-///         of a second touch how far apart they had been, or how far the ball was pushed in play.
+///         of a second touch how far apart they had been, or how far the ball was pushed in play; not touched
+///         again: the gap, once they had been two bands apart.
 class Kicks {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);
@@ -37,11 +38,14 @@ class Kicks {
     world::Vector2d place;  // [m]
     double apart = 0;       // [m] greatest gap since
     std::optional<TrueEvent> pushed{};
+    std::optional<TrueEvent> nearly{};
   };
 
   void take(const Moment& moment, std::vector<TrueEvent>& out);
   void look_around(const Moment& moment, std::vector<TrueEvent>& out) const;
   void watch_second(const Moment& moment, std::vector<TrueEvent>& out);
+  void follow_ball(const Moment& moment);
+  void end_second(std::vector<TrueEvent>& out);
 
   std::optional<Restart> restart_;
   std::optional<Second> second_;

@@ -60,22 +60,9 @@ void Laws::watch(const truth::Frame& frame, const world::GameState& state, bool 
                     .rules = rules_,
                     .bands = bands_};
   const std::size_t first = events_.size();
-  exits_.watch(play, events_);
   ball_speed_.watch(play, events_);
-  dribbles_.watch(play, events_);
-  areas_.watch(play, events_);
-  keeper_holds_.watch(play, events_);
-  contacts_.watch(play, events_);
-  robots_.watch(play, events_);
-  progress_.watch(play, keeper_holds_.holder().has_value(), events_);
-  for (std::size_t n = first; n < events_.size(); ++n) {
-    const bool stopped = state.location != Location::GameOn;
-    TrueEvent& event = events_[n];
-    const bool leaves = event.event == Event::Exit || event.event == Event::Goal ||
-                        event.event == Event::ChippedGoal || event.event == Event::AimlessKick;
-    event.late = stopped && event.time > state.location_time;
-    if (!leaves && exits_.out_since()) event.late = event.late || event.time > *exits_.out_since();
-  }
+  watch_play(play);
+  mark_late(first, state);
   for (std::size_t n = first_of_kicks; n < end_of_kicks; ++n) {
     TrueEvent& event = events_[n];
     const bool ball_was_out = exits_.out_since() && event.time > *exits_.out_since();
@@ -83,6 +70,50 @@ void Laws::watch(const truth::Frame& frame, const world::GameState& state, bool 
       event.late = true;
   }
   before_ = frame;
+  state_ = state;
+}
+
+void Laws::watch_play(const Moment& play) {
+  exits_.watch(play, events_);
+  dribbles_.watch(play, events_);
+  areas_.watch(play, events_);
+  keeper_holds_.watch(play, events_);
+  contacts_.watch(play, events_);
+  robots_.watch(play, events_);
+  progress_.watch(play, keeper_holds_.holder().has_value(), exits_.out_since().has_value(), events_);
+}
+
+void Laws::mark_late(std::size_t first, const world::GameState& state) {
+  const bool stopped = state.location != Location::GameOn;
+  for (std::size_t n = first; n < events_.size(); ++n) {
+    TrueEvent& event = events_[n];
+    const bool leaves = event.event == Event::Exit || event.event == Event::Goal ||
+                        event.event == Event::ChippedGoal || event.event == Event::AimlessKick;
+    event.late = stopped && event.time > state.location_time;
+    if (!leaves && exits_.out_since()) event.late = event.late || event.time > *exits_.out_since();
+  }
+}
+
+void Laws::finish() {
+  if (before_) {
+    world::GameState over = state_;
+    over.location = Location::GameOff;
+    const Moment end{.now = *before_,
+                     .before = *before_,
+                     .state = over,
+                     .entered = true,
+                     .by_hand = true,
+                     .ball_seen = false,
+                     .touches = touches_,
+                     .rules = rules_,
+                     .bands = bands_};
+    const std::size_t first = events_.size();
+    watch_play(end);
+    mark_late(first, state_);
+  }
+  exits_.finish(bands_, events_);
+  ball_speed_.finish(rules_, bands_, events_);
+  stops_.finish(events_);
 }
 
 }  // namespace judge

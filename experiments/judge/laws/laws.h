@@ -28,17 +28,8 @@ class Laws {
   /// @param ball_seen  by some camera
   void watch(const truth::Frame& frame, const world::GameState& state, bool ball_seen);
 
-  /// The game is over.
-  void finish() {
-    exits_.finish(bands_, events_);
-    if (location_ == world::Location::GameOn) {
-      areas_.finish(events_);
-      keeper_holds_.finish(rules_, bands_, events_);
-      contacts_.finish(rules_, bands_, events_);
-    }
-    ball_speed_.finish(rules_, bands_, events_);
-    stops_.finish(events_);
-  }
+  /// The game is over: what goes on then is told as it stands.
+  void finish();
 
   /// What has become certain so far; events come when their margin is known, not in order of time.
   const std::vector<TrueEvent>& events() const { return events_; }
@@ -46,6 +37,9 @@ class Laws {
   bool moved_by_hand() const { return by_hand_; }
 
  private:
+  void watch_play(const Moment& play);
+  void mark_late(std::size_t first, const world::GameState& state);
+
   world::RuleSet rules_;
   Bands bands_;
   TrueTouches touches_;
@@ -53,6 +47,7 @@ class Laws {
   world::Location location_{};
   world::Time location_time_;
   bool by_hand_ = false;
+  world::GameState state_;                // at the last tick
   std::optional<world::GameState> play_;  // the state in which play was stopped, while it is watched on
   std::vector<TrueEvent> events_;
 

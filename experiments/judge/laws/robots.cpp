@@ -24,7 +24,7 @@ void RobotsOff::watch(const Moment& moment, std::vector<TrueEvent>& out) {
     const double beyond =
         world::distance_outside_lines(moment.rules.field, robot.position) - moment.rules.run_off;
     const double margin = beyond / moment.bands.length;
-    if (beyond <= 0) watched.told = false;
+    if (margin <= -near_bands) watched.told = false;
     if (watched.told) continue;
     if (margin <= -near_bands) {
       finish(watched, out);

@@ -17,6 +17,7 @@
 #include "autoref/detectors/kick_taken.h"
 #include "autoref/detectors/kicked_too_fast.h"
 #include "autoref/detectors/no_progress.h"
+#include "autoref/detectors/robot_left_field.h"
 #include "autoref/detectors/robots_settled.h"
 #include "tests/autoref/detectors/ways.h"
 
@@ -55,6 +56,18 @@ TEST(DribbledTooFar, StartsAgainAfterAnObservableSeparationOnly) {
   }
 }
 
+TEST(DribbledTooFar, AHiddenBallPartsFromNobody) {
+  DribbledTooFar detector(rules());
+  int reported = 0;
+  for (int i = 0; i <= 150; ++i) {
+    TrackedFrame frame = frame_at(Time{i * 10ms}, {i * 0.01, 0}, true);
+    frame.ball->observed = i < 10 || i > 110;
+    if (i > 60 && i < 70) frame.ball->position.x() += 0.04;  // where it is only believed to be
+    reported += static_cast<int>(detector.update(frame, world::GameState{}).size());
+  }
+  EXPECT_EQ(reported, 1);
+}
+
 TEST(DribbledTooFar, AHiddenBallThatAnotherRobotMayHaveTakenMustBeSeen) {
   for (const bool another : {true, false}) {
     DribbledTooFar detector(rules());
@@ -83,6 +96,21 @@ TEST(DribbledTooFar, MeasuresStraightFromTheStartNotAlongThePath) {
   for (int i = 0; i <= 400; ++i) {
     const Vector2d ball = 0.4 * world::direction(i * 0.01 * 3.14159265);
     EXPECT_TRUE(detector.update(frame_at(Time{i * 10ms}, ball, true), world::GameState{}).empty());
+  }
+}
+
+TEST(RobotLeftField, IsNotedAgainOnceTheRobotHasClearlyComeBack) {
+  for (const double back_to : {0.2, 0.16}) {  // [m] outside the lines; 0.25 m are allowed
+    RobotLeftField detector(rules());
+    int noted = 0;
+    for (int i = 0; i < 800; ++i) {
+      TrackedFrame frame = frame_at(Time{i * 10ms}, {0, 0});
+      const bool inside = i >= 300 && i < 400;
+      frame.robots[0].observed = true;
+      frame.robots[0].position = Vector2d{0, 3 + (inside ? back_to : 0.4)};
+      noted += static_cast<int>(detector.update(frame, world::GameState{}).size());
+    }
+    EXPECT_EQ(noted, back_to < 0.17 ? 2 : 1);
   }
 }
 

@@ -87,7 +87,8 @@ TEST(Dribbles, AreMeasuredFromTheFirstContactUntilTheBallIsLetGo) {
   EXPECT_NEAR(nearly[0].margin, -0.05 / 0.04, exact);
 }
 
-TEST(Dribbles, AreCloseWhenOnlyTheSeparationIsInDoubt) {
+/// Carried for so many ticks at 1 m/s, 40 mm apart for two of them.
+std::vector<TrueEvent> doubtful_separation(int ticks) {
   Story story;
   story.ball.position = {0, 0, Story::radius};
   story.robot(yellow(2), {-0.0945, 0});
@@ -95,7 +96,7 @@ TEST(Dribbles, AreCloseWhenOnlyTheSeparationIsInDoubt) {
   story.tick();
   story.ball.velocity = {1, 0, 0};
   story.robot(yellow(2)).velocity = {1, 0};
-  for (int n = 0; n < 66; ++n) {
+  for (int n = 0; n < ticks; ++n) {
     if (n == 30) story.ball.position.x() += 0.04;
     if (n == 32) story.ball.position.x() -= 0.04;
     story.touch(yellow(2));
@@ -103,9 +104,16 @@ TEST(Dribbles, AreCloseWhenOnlyTheSeparationIsInDoubt) {
   }
   story.ball.position.x() += 0.1;
   story.tick(2);
-  const auto told = story.told(Event::DribbledTooFar);
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0].margin, -0.5);
+  return story.told(Event::DribbledTooFar);
+}
+
+TEST(Dribbles, AreCloseWhenOnlyTheSeparationIsInDoubt) {
+  for (const int ticks : {66, 59}) {  // 1.1 m; 0.98 m, within a band of the limit
+    const auto told = doubtful_separation(ticks);
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_EQ(told[0].margin, -0.5);
+  }
+  EXPECT_TRUE(doubtful_separation(56).empty());
   // A ball that lies on top of a robot is not dribbled.
   Story rides;
   rides.ball.position = {0, 0, 0.17};
@@ -155,6 +163,25 @@ TEST(DoubleTouch, IsTheKickersUnlessAnotherRobotTouchedBefore) {
   EXPECT_EQ(twice[0].by, yellow(1));
   EXPECT_NEAR(twice[0].value, 0.3, exact);  // 18 ticks at 1 m/s
   EXPECT_TRUE(second_touch(true).told(Event::DoubleTouch).empty());
+}
+
+/// After its kick the kicker comes back, up to a gap, and then another robot plays the ball.
+std::vector<TrueEvent> back_at_the_ball(double gap) {
+  Story story = free_kick();
+  story.tick();
+  story.robot(yellow(1)).position.x() = story.ball.position.x() - 0.0945 - gap;
+  story.tick(30);
+  story.touch(blue(1));
+  story.tick(30);
+  return story.told(Event::DoubleTouch);
+}
+
+TEST(DoubleTouch, IsNearlyOneWhenTheKickerComesBackWithoutTouching) {
+  const auto nearly = back_at_the_ball(0.05);
+  ASSERT_EQ(nearly.size(), 1u);
+  EXPECT_NEAR(nearly[0].margin, -0.05 / 0.04, exact);
+  EXPECT_EQ(nearly[0].by, yellow(1));
+  EXPECT_TRUE(back_at_the_ball(0.081).empty());  // two bands are 0.08 m
 }
 
 /// The same second touch, `ticks` after play was stopped.

@@ -118,6 +118,59 @@ TEST(KeeperHolds, NearlyTooLongWhenTheGameEnds) {
   EXPECT_NEAR(held[0].margin, -(0.1 + world::tick_length) / 0.2, exact);
 }
 
+TEST(Progress, WasNearlyMissingWhenTheBallIsPlayedJustInTime) {
+  const auto played_after = [](int ticks) {
+    Story story;
+    story.tick(ticks);
+    story.ball.velocity = {3, 0, 0};
+    story.tick(30);
+    return story.told(Event::NoProgress);
+  };
+  const auto nearly = played_after(12 * 60 - 20);
+  ASSERT_EQ(nearly.size(), 1u);
+  // Seven ticks until it is a third of a metre away.
+  EXPECT_NEAR(nearly[0].margin, -13.0 / 60 / 0.2, 1.5 / 60 / 0.2);  // ticks are told by their time
+  EXPECT_TRUE(played_after(12 * 60 - 40).empty());
+}
+
+TEST(Progress, IsNotMadeByABallThatIsOut) {
+  Story story;
+  story.ball.position = {0, 2.9, Story::radius};
+  story.ball.velocity = {0, 1, 0};
+  story.tick(30);  // out after 0.14 s; nobody has said so
+  story.ball.velocity = {0.5, 0, 0};
+  story.tick(12 * 60 + 50);
+  const auto stuck = story.told(Event::NoProgress);
+  ASSERT_EQ(stuck.size(), 1u);
+  EXPECT_TRUE(stuck[0].late);  // counts only where somebody called it, whenever
+  EXPECT_GT(stuck[0].until, stuck[0].time);
+}
+
+TEST(Progress, IsNobodysFaultShortlyBeforeItIsMissing) {
+  Story story;
+  story.ball.velocity = {0.3, 0, 0};  // nearly none
+  story.tick(6 * 60);
+  story.ball.velocity.setZero();
+  story.tick(11 * 60 + 10);
+  story.enter(Location::GameOff);
+  story.tick(30);
+  const auto told = story.told(Event::NoProgress);
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_TRUE(told[1].close());
+}
+
+TEST(Laws, TellWhatGoesOnWhenTheGameEnds) {
+  Story story;
+  story.robot(blue(2), {0, 3.36});
+  story.tick(12 * 60 - 5);
+  EXPECT_TRUE(story.told(Event::RobotLeftField).empty());
+  story.end();
+  EXPECT_EQ(story.told(Event::RobotLeftField).size(), 1u);
+  const auto stuck = story.told(Event::NoProgress);  // whoever calls it is not wrong
+  ASSERT_EQ(stuck.size(), 1u);
+  EXPECT_TRUE(stuck[0].close());
+}
+
 TEST(Progress, IsNoMatterWhileTheGoalieHoldsTheBall) {
   Story story;
   story.state.keeper = {0, 0};
