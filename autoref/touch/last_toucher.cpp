@@ -257,11 +257,7 @@ void LastToucher::end_visit(const View& view) {
 void LastToucher::look_back(const std::optional<world::Touch>& second_opinion,
                             std::vector<world::Touch>& out) {
   const Retraced retraced = retrace(trail_, field_, views_.noise());
-  const auto last =
-      static_cast<std::size_t>(std::ranges::max_element(retraced.probability) - retraced.probability.begin());
-  // What struck the ball in the air since then is known to the filter in space, not to the way back.
-  const bool struck_since = struck_ && *struck_ > retraced.time[last];
-  belief_ = struck_since ? at_the_time_ : pooled(at_the_time_, retraced.probability);
+  belief_ = pooled(at_the_time_, retraced.probability);
   if (second_opinion && trail_.count() > 0 && second_opinion->time >= trail_[0].time) {
     const bool yellow = second_opinion->robot.team == world::Team::Yellow;
     double theirs = 0, sum = 0;
@@ -276,7 +272,7 @@ void LastToucher::look_back(const std::optional<world::Touch>& second_opinion,
     }
   }
   const auto top = static_cast<std::size_t>(std::ranges::max_element(belief_) - belief_.begin());
-  if (struck_since || !(retraced.probability[top] > 0)) return tell({}, out);
+  if (!(retraced.probability[top] > 0)) return tell({}, out);
   const world::Touch touch{robot_in(top), retraced.time[top], retraced.place[top]};
   first_[top] = last_[top] = touch;
   if (told_ == top) told_touch_ = touch;
