@@ -16,7 +16,7 @@ using Eigen::Matrix4d;
 using Eigen::Vector4d;
 
 constexpr std::size_t most = 20;            // hypotheses kept
-constexpr std::size_t most_branches = 1024;  // of one step
+constexpr std::size_t most_branches = 512;  // of one step
 constexpr double least_weight = 1e-6;       // of all
 constexpr double robot_height = 0.15;       // [m]
 constexpr double front_half_width = 0.05;   // [m] dribbler zone
