@@ -13,15 +13,38 @@ constexpr double likely = 0.1;  // a touch worth remembering; ours
 constexpr double sure = 0.5;    // a touch worth telling at once; ours
 constexpr double news = 0.05;   // change of a probability worth telling; ours
 
-constexpr int first_look = 3;  // sightings outside, when the exit is certain (paper, Algorithm 2)
-constexpr int last_look = 6;
-constexpr double weight_of_others = 3;  // odds for the team that the paper's three name; ours
-constexpr double hindsight = 0.7;       // share of what is believed after that; ours
+// How long the ball is outside, in quarters of a sighting: a frame in which it is hidden there counts as one.
+constexpr int sighting = 4;
+constexpr int first_look = 3 * sighting;  // when the exit is certain (paper, Algorithm 2)
+constexpr int last_look = 6 * sighting;   // when it is, behind the mouth of a goal
+constexpr double weight_of_others = 3;    // odds for the team that the paper's three name; ours
+constexpr double no_witness = 1e-3;       // chance that either is wrong about everything; ours
 
 constexpr double robot_height = 0.15;  // [m] laws of 2015, Law 4 (reference "requirements", R-3.2-1)
 constexpr double gravity = 9.81;       // [m/s^2]
 constexpr world::Duration one_contact =
     std::chrono::milliseconds{100};  // a longer pause ends a contact; ours
+
+using Shares = std::array<double, robot_slots>;
+
+/// Each counts half, as logarithms: what is impossible to one is unlikely to both.
+/// Source  Genest and Zidek, "Combining probability distributions", Statistical Science, 1986.
+Shares pooled(const Shares& one, const Shares& other) {
+  const auto both = [](double a, double b) {
+    return std::sqrt((std::max(a, 0.0) + no_witness) * (std::max(b, 0.0) + no_witness));
+  };
+  double nobody_one = 1, nobody_other = 1, all = 0;
+  Shares shares{};
+  for (std::size_t n = 0; n < robot_slots; ++n) {
+    nobody_one -= one[n];
+    nobody_other -= other[n];
+    if (one[n] > 0 || other[n] > 0) shares[n] = both(one[n], other[n]);
+    all += shares[n];
+  }
+  all += both(nobody_one, nobody_other);
+  for (double& share : shares) share /= all;
+  return shares;
+}
 
 bool at_front(const Vector2d& ball_local) {  // requirements 1.10: the dribbler zone is |y| < 50 mm
   return ball_local.x() > 0 && std::abs(ball_local.y()) < 0.05;
@@ -45,11 +68,17 @@ void LastToucher::update(const world::TrackedFrame& frame, std::span<const world
   const View* view = views_.add(frame, images, field_);
   fresh_.reset();
   trail_.add(frame, images, told_.value_or(robot_slots), told_ ? belief_[*told_] : 0);
+  const int before = outside_;
   if (frame.ball && frame.ball->observed) {
     const double out_by = world::distance_outside_lines(field_, frame.ball->position.head<2>());
-    outside_ = out_by > field_.ball_radius ? outside_ + 1 : 0;
+    outside_ = out_by > field_.ball_radius ? outside_ + sighting : 0;
+  } else if (frame.ball && is_out(frame.ball->position.head<2>())) {
+    ++outside_;
   }
-  if (outside_ >= first_look && outside_ <= last_look) look_back(second_opinion, out);
+  if (before < first_look && outside_ >= first_look) at_the_time_ = belief_;
+  for (const int look : {first_look, last_look}) {
+    if (before < look && outside_ >= look) look_back(second_opinion, out);
+  }
   if (outside_ >= first_look) return;
   if (frame.ball && !frame.ball->observed) {
     if (!is_out(frame.ball->position.head<2>())) judge_hidden(frame);
@@ -227,11 +256,8 @@ void LastToucher::end_visit(const View& view) {
 
 void LastToucher::look_back(const std::optional<world::Touch>& second_opinion,
                             std::vector<world::Touch>& out) {
-  if (outside_ == first_look) at_the_time_ = belief_;
   const Retraced retraced = retrace(trail_, field_, views_.noise());
-  for (std::size_t n = 0; n < robot_slots; ++n) {
-    belief_[n] = (1 - hindsight) * at_the_time_[n] + hindsight * retraced.probability[n];
-  }
+  belief_ = pooled(at_the_time_, retraced.probability);
   if (second_opinion && trail_.count() > 0 && second_opinion->time >= trail_[0].time) {
     const bool yellow = second_opinion->robot.team == world::Team::Yellow;
     double theirs = 0, sum = 0;

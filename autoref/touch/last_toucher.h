@@ -69,7 +69,7 @@ class LastToucher {
   LikelihoodParams params_;
   Views views_;
   Trail trail_;
-  int outside_ = 0;  // sightings in a row of a ball wholly outside
+  int outside_ = 0;  // quarters of sightings in a row of a ball wholly outside
   std::optional<Visit> visit_;
   std::optional<world::Time> flew_;    // when the ball was last known to be in the air
   std::optional<world::Time> struck_;  // when a robot struck the ball in the air

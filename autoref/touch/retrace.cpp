@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "autoref/touch/free_ball.h"
+
 namespace touch {
 namespace {
 
@@ -13,7 +15,7 @@ using Eigen::Matrix2d;
 using Eigen::Matrix4d;
 using Eigen::Vector4d;
 
-constexpr std::size_t most = 14;            // hypotheses kept
+constexpr std::size_t most = 20;            // hypotheses kept
 constexpr std::size_t most_branches = 512;  // of one step
 constexpr double least_weight = 1e-6;       // of all
 constexpr double robot_height = 0.15;       // [m]
@@ -27,6 +29,8 @@ struct Hypothesis {
   Vector2d place = Vector2d::Zero();
   Vector4d x = Vector4d::Zero();  // position, velocity
   Matrix4d p = Matrix4d::Zero();
+  FreeBall ball{};         // its spin, and how high it hops; the velocity is in x
+  bool spin_known = true;  // else what friction does is anybody's guess until it rolls
 };
 
 double phi(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
@@ -91,6 +95,8 @@ class Retracing {
     next_count_ = 0;
     const double dt = world::seconds(to.time - from.time);
     airborne_ = to.airborne;
+    leaving_ = from.airborne;
+    flies_ = from.height > 0 && to.height > 0;
     above_ = std::min(from.height, to.height) > robot_height;
     gather(from, to, dt);
     double near = 1;
@@ -124,28 +130,54 @@ class Retracing {
 
   void predict(Hypothesis& h, double dt) const {
     if (dt <= 0) return;
-    Vector2d v = h.x.tail<2>();
+    const Vector2d v = h.x.tail<2>();
     const double speed = v.norm();
     const Vector2d u = speed > 0.02 ? Vector2d(v / speed) : Vector2d(1, 0);
-    const bool slides = h.age < params_.slide_least + params_.slide_per_speed * speed;
+    double along = params_.roll_sigma, across = params_.roll_curve;
     h.age += dt;
-    const double loss = std::min(speed, (slides ? params_.slide_friction : params_.roll_friction) * dt);
-    h.x.head<2>() += (v - u * (loss / 2)) * dt;
-    h.x.tail<2>() = v - u * loss;
+    if (flies_) {
+      h.x.head<2>() += v * dt;
+    } else if (!h.spin_known && h.age < params_.slide_least + params_.slide_per_speed * speed) {
+      const double loss = std::min(speed, params_.slide_friction * dt);
+      h.x.head<2>() += (v - u * (loss / 2)) * dt;
+      h.x.tail<2>() = v - u * loss;
+      along = params_.slide_sigma;
+      across = params_.slide_curve;
+    } else {
+      if (!h.spin_known) {
+        h.spin_known = true;
+        h.ball = {.velocity = v, .spin = v};
+      }
+      h.ball.velocity = v;
+      if (h.ball.hops()) {
+        along = across = params_.hop_sigma;
+      } else if (!h.ball.rolls()) {
+        along = across = params_.spin_sigma;
+      }
+      h.x.head<2>() += move(h.ball, dt, {});
+      h.x.tail<2>() = h.ball.velocity;
+    }
     // P = F P F' + Q, by blocks.
     const Matrix2d pv = h.p.block<2, 2>(0, 2);
     const Matrix2d vv = h.p.block<2, 2>(2, 2);
     h.p.block<2, 2>(0, 0) += dt * (pv + pv.transpose()) + dt * dt * vv;
     h.p.block<2, 2>(0, 2) += dt * vv;
-    double along = std::pow((slides ? params_.slide_sigma : params_.roll_sigma) * dt, 2);
-    double across =
-        speed > 0.1 ? std::pow((slides ? params_.slide_curve : params_.roll_curve) * dt, 2) : along;
+    along = std::pow(along * dt, 2);
+    across = speed > 0.1 ? std::pow(across * dt, 2) : along;
     if (airborne_ > 0.2) along = across = std::pow(params_.air_sigma * dt, 2);
     const Matrix2d q = across * Matrix2d::Identity() + (along - across) * u * u.transpose();
     h.p.block<2, 2>(2, 2) += q;
     h.p.block<2, 2>(0, 2) += q * (dt / 2);
     h.p.block<2, 2>(0, 0) += q * (dt * dt / 4);
     h.p.block<2, 2>(2, 0) = h.p.block<2, 2>(0, 2).transpose();
+  }
+
+  /// Where the camera shows a ball that hops: on the ground, beyond it.
+  Vector2d as_seen(const Hypothesis& h, const TrailPoint& to) const {
+    const Vector2d place = h.x.head<2>();
+    if (!(h.ball.height > 0) || to.height > 0 || !h.spin_known) return place;
+    const world::Vector3d camera = trail_.camera_near(to.ball);
+    return place + (place - camera.head<2>()) * (h.ball.height / (camera.z() - h.ball.height));
   }
 
   /// The sighting at the end of a step; false when it speaks against the course.
@@ -158,7 +190,7 @@ class Retracing {
     Matrix2d inverse;
     inverse << s(1, 1), -s(0, 1), -s(1, 0), s(0, 0);
     inverse /= det;
-    const Vector2d off = to.ball - h.x.head<2>();
+    const Vector2d off = to.ball - as_seen(h, to);
     const double chi2 = off.dot(inverse * off);
     const double density =
         (1 - params_.outliers) * std::exp(-chi2 / 2) / (2 * std::numbers::pi * std::sqrt(det));
@@ -166,7 +198,10 @@ class Retracing {
     h.weight *= density + floor;
     if (density < floor) return false;
     const Eigen::Matrix<double, 4, 2> gain = h.p.leftCols<2>() * inverse;
+    const bool rolls = h.spin_known && h.ball.rolls();
     h.x += gain * off;
+    h.ball.velocity = h.x.tail<2>();
+    if (rolls) h.ball.spin = h.ball.velocity;
     h.p -= (gain * h.p.topRows<2>()).eval();
     return chi2 < 16;
   }
@@ -203,7 +238,7 @@ class Retracing {
         const double chance = std::max(params_.overlap_floor, phi((least + sigma) / sigma));
         untouched *= ground * chance + airborne_;
       }
-      touched_by(h, hull, when, dt, from, to, (1 - 0.9 * airborne_) * params_.touch);
+      touched_by(h, hull, when, dt, from, to, (1 - 0.9 * std::min(leaving_, airborne_)) * params_.touch);
     }
     Hypothesis free = h;
     free.weight *= untouched;
@@ -219,6 +254,7 @@ class Retracing {
     if (airborne_ > 0.2) broken.weight *= 10;
     broken.p.block<2, 2>(2, 2) += Matrix2d::Identity() * 1.5 * 1.5;
     broken.age = 0;
+    broken.spin_known = false;
     predict(broken, dt / 2);
     correct(broken, to);
     keep(broken);
@@ -230,6 +266,8 @@ class Retracing {
     anew.x << to.ball, 0, 0;
     anew.p.setZero();
     anew.age = 0;
+    anew.ball = {};
+    anew.spin_known = false;
     anew.p.diagonal() << noise_ * noise_, noise_ * noise_, 9, 9;
     anew.weight *= 1e-3;
     keep(anew);
@@ -313,12 +351,18 @@ class Retracing {
     const double into = -relative.dot(normal);
     const double slip = relative.dot(side);
     const auto branch = [&](double share, const Vector2d& velocity, double sigma_n, double sigma_t,
-                            bool added, bool hard, double off = 0) {
+                            bool added, bool hard, double off = 0, const FreeBall* ball = nullptr) {
       if (share * weight * fit < 1e-6) return;
       Hypothesis b = at;
       b.weight *= share;
       b.x.tail<2>() = velocity;
-      if (hard) b.age = 0;
+      if (hard) {
+        b.age = 0;
+        b.spin_known = ball != nullptr && to.seen;
+        b.ball = ball != nullptr ? *ball : FreeBall{};
+      } else if (b.spin_known && b.ball.rolls()) {
+        b.ball = {.velocity = velocity, .spin = velocity};
+      }
       if (off > 0) {  // deep in a hull it may come out somewhere else
         b.p.topLeftCorner<2, 2>() +=
             off * off * normal * normal.transpose() + off * off / 8 * side * side.transpose();
@@ -338,16 +382,29 @@ class Retracing {
     };
     const Vector2d v = at.x.tail<2>();
     if (kick) {
-      branch(params_.kick, surface + 3.5 * normal, 2.2, 0.12, false, true);
+      const FreeBall kicked{};  // leaves without spin
+      branch(params_.kick, surface + 3.5 * normal, 2.2, 0.12, false, true, 0, &kicked);
       branch(params_.grip, v, 0.1, 0.1, true, false);
       return;
     }
     const double in = std::max(0.0, into);
-    branch(params_.bounce, v + 1.3 * in * normal - 0.15 * slip * side, 0.35 * in + 0.05,
-           0.2 * in + 0.1 * std::abs(slip) + 0.03, true, in > 0.3, params_.recoil * in * params_.dwell);
+    const double deeper = params_.recoil * in * params_.dwell;
+    const auto bounced = [&](double share, double restitution) {
+      FreeBall ball = at.ball;
+      ball.velocity = v;
+      if (!at.spin_known) ball.spin = v;
+      if (in > 0) bounce(ball, normal, surface, restitution);
+      branch(share, ball.velocity, params_.bounce_sigma * in + 0.05, params_.bounce_side * in + 0.03, true,
+             in > 0.3, deeper, &ball);
+    };
+    const double dead = at_front ? params_.dead : 0;
+    bounced(params_.bounce * (1 - dead), params_.restitution);
+    if (dead > 0) bounced(params_.bounce * dead, params_.dead_restitution);
+    branch(params_.other_bounce, v + 1.3 * in * normal - 0.15 * slip * side, 0.35 * in + 0.05,
+           0.2 * in + 0.1 * std::abs(slip) + 0.03, true, in > 0.3, deeper);
     branch(params_.carry, surface, 0.15, 0.15, false, true);
     branch(params_.graze, v + 0.06 * normal, 0.08, 0.04, true, false);
-    branch(params_.wild, v + 0.8 * normal, 1.2, 1.0, true, true, params_.recoil * in * params_.dwell);
+    branch(params_.wild, v + 0.8 * normal, 1.2, 1.0, true, true, deeper);
   }
 
   void prune() {
@@ -378,10 +435,15 @@ class Retracing {
     for (std::size_t n = 0; n < count_; ++n) now_[n].weight /= kept;
   }
 
+  static bool alike(const FreeBall& a, const FreeBall& b) {
+    return std::abs(a.climb - b.climb) < 0.1 && std::abs(a.height - b.height) < 0.005 &&
+           (a.spin - b.spin).squaredNorm() < 0.3 * 0.3;
+  }
   Hypothesis* alike(const Hypothesis& h) {
     for (std::size_t n = 0; n < count_; ++n) {
       Hypothesis& other = now_[n];
-      if (other.last != h.last) continue;
+      if (other.last != h.last || other.spin_known != h.spin_known) continue;
+      if (h.spin_known && !alike(h.ball, other.ball)) continue;
       const Vector4d off = h.x - other.x;
       const double p2 = std::max(other.p(0, 0), other.p(1, 1));
       const double v2 = std::max(other.p(2, 2), other.p(3, 3));
@@ -400,7 +462,8 @@ class Retracing {
   std::size_t next_count_ = 0;
   std::array<Hull, 2 * Sighting::most_robots> hulls_;
   std::size_t hull_count_ = 0;
-  double airborne_ = 0;
+  double airborne_ = 0, leaving_ = 0;  // at the end of the step, and at its beginning
+  bool flies_ = false;                 // all the time, in a flight that is known
   bool above_ = false;
   std::uint32_t under_ = 0;  // robots it flies over, as bits
   double sigma_ = 0;

@@ -14,6 +14,7 @@ constexpr double slack = 0.2;          // [m]
 constexpr double rate = 0.05;          // of learning a camera's offset: a third of a second
 constexpr double hidden_share = 0.1;   // of the shift of a ball that is partly hidden, its error
 constexpr double flight_sigma = 0.01;  // [m] of a ball that is followed in space
+constexpr double gravity = 9.81;       // [m/s^2]
 constexpr world::Duration least_step = 6ms;
 constexpr double over_hull = 0.035;  // [m] seen so deep in a hull, it is in the air; contacts: up to 25 mm
 constexpr double same_robot = 0.1;   // [m]
@@ -57,12 +58,36 @@ optics::WholeBall Trail::whole(const Vector2d& seen, const world::Detection& ima
   return ball.whole();
 }
 
+world::Vector3d Trail::camera_near(const Vector2d& place) const {
+  const auto way2 = [&](const world::Camera& camera) {
+    return (camera.position.head<2>() - place).squaredNorm();
+  };
+  const auto nearest = std::ranges::min_element(geometry_.cameras, {}, way2);
+  return nearest == geometry_.cameras.end() ? world::Vector3d(place.x(), place.y(), 4) : nearest->position;
+}
+
 TrailPoint& Trail::push() {
   newest_ = (newest_ + 1) % memory;
   ++count_;
   TrailPoint& point = ring_[static_cast<std::size_t>(newest_)];
   point = TrailPoint{};
   return point;
+}
+
+void Trail::lift(const world::Flight& flight) {
+  for (int n = count() - 1; n >= 0; --n) {
+    TrailPoint& point = ring_[static_cast<std::size_t>((newest_ - count() + 1 + n + memory) % memory)];
+    if (point.time <= flight.kicked) return;
+    const double t = world::seconds(point.time - flight.kicked);
+    const double height = flight.launch_velocity.z() * t - gravity / 2 * t * t;
+    if (!point.seen || point.height > 0 || height <= 0) continue;
+    const world::Vector3d camera = camera_near(point.ball);
+    const Vector2d foot = camera.head<2>();
+    point.ball = foot + (point.ball - foot) * ((camera.z() - height) / camera.z());
+    point.height = height;
+    point.sigma = flight_sigma;
+    point.airborne = 1;
+  }
 }
 
 void Trail::add(const world::TrackedFrame& frame, std::span<const world::Detection> images, std::size_t told,
@@ -112,6 +137,8 @@ void Trail::add(const world::TrackedFrame& frame, std::span<const world::Detecti
     seen_ = time;
     seen_ball_ = ball;
   }
+  const bool is_news = count_ > 0 && !(ring_[static_cast<std::size_t>(newest_)].height > 0);
+  if (frame.ball->flight && chosen && is_news) lift(*frame.ball->flight);
   TrailPoint& point = push();
   point.time = time;
   point.seen = chosen != nullptr;

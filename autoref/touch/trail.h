@@ -54,6 +54,8 @@ class Trail {
 
   /// How many points are there, since the ball last jumped.
   int count() const { return std::min(count_, memory); }
+  /// The camera that is nearest to a place, which is the one that shows it best [m].
+  world::Vector3d camera_near(const Vector2d& place) const;
   /// 0 is the oldest.
   const TrailPoint& operator[](int n) const {
     return ring_[static_cast<std::size_t>((newest_ - count() + 1 + n + memory) % memory)];
@@ -68,6 +70,8 @@ class Trail {
   Camera& camera(int id);
   void learn(Camera& camera, const world::Detection& image, const world::TrackedFrame& frame);
   TrailPoint& push();
+  /// That the ball flies is known some images after its kick: those in between are put right.
+  void lift(const world::Flight& flight);
 
   optics::WholeBall whole(const Vector2d& seen, const world::Detection& image) const;
 

@@ -128,5 +128,35 @@ TEST(LastToucher, MakesDoWithTrackedFrames) {
   EXPECT_NEAR(world::seconds(said->time), 16 * world::tick_length, 1.5 * world::tick_length);
 }
 
+/// The probability that blue touched last a ball that yellow kicked to it and that is hidden there from 0.1 m
+/// before the touch line until it is well outside. @param heard  whether the paper's three name blue
+double hidden_over_the_line(bool heard) {
+  LastToucher detector{world::Geometry{}};
+  const double line = world::Field{}.half_width();
+  const std::optional<world::Touch> named = world::Touch{blue_0, world::tick_time(60), {0, line}};
+  std::vector<world::Touch> found;
+  double blue = 0;
+  for (int k = 0; k < 90; ++k) {
+    world::TrackedFrame frame;
+    frame.time = world::tick_time(k + 1);
+    const double y = line - 1 + (k < 30 ? 0 : 0.03 * (k - 30));
+    frame.ball = world::TrackedBall{.position = {0, y, 0}, .observed = y < line - 0.1};
+    if (k > 30) frame.ball->velocity.y() = 1.8;
+    frame.robots = {{.id = yellow_0, .position = {0, line - 1.0945}, .orientation = 1.5708, .observed = true},
+                    {.id = blue_0, .position = {0.09, y + 0.06}, .orientation = 0, .observed = true}};
+    found.clear();
+    detector.update(frame, {}, heard && k >= 60 ? named : std::nullopt, found);
+    for (const world::Touch& touch : found) {
+      blue = touch.robot == blue_0 ? touch.probability : touch.rival == blue_0 ? 1 - touch.probability : 0;
+    }
+  }
+  return blue;
+}
+
+// It is called out when it was hidden there for a while, so this is the last time to look back.
+TEST(LastToucher, HearsTheThreeAboutABallThatIsHiddenOutside) {
+  EXPECT_GT(hidden_over_the_line(true), hidden_over_the_line(false));
+}
+
 }  // namespace
 }  // namespace touch
