@@ -15,12 +15,17 @@ constexpr world::Duration of_the_kick = std::chrono::milliseconds{100};
 // A flat kick of 6 m/s is taken for a chip for a frame or two, with 0.5 to 0.92; a chip passes this within
 // eight sightings (ours, from 400 goals).
 constexpr double certainty = 0.95;
+constexpr world::Duration instant_error = std::chrono::milliseconds{50};  // of a kick, ours
 constexpr double landed = 0.03;  // [m] height in the last frame of a flight, at most
 // The filter ends a flight with its last hop of 10 mm; three frames on the ground are rolling (ours).
 constexpr world::Duration landed_rolling = std::chrono::milliseconds{45};
 constexpr double fastest_fall = 6;     // [m/s] from 1.8 m: no ball falls faster, but a filter may think again
 constexpr double robot_height = 0.15;  // [m] laws of 2015
 constexpr double height_error = 0.03;  // [m] of the filter (README of the tracker)
+
+bool is_same(const std::optional<world::Time>& a, world::Time b) {
+  return a && std::chrono::abs(*a - b) < instant_error;
+}
 
 }  // namespace
 
@@ -85,11 +90,17 @@ void ChippedGoal::watch_height(const world::TrackedFrame& frame) {
   double highest = ball.position.z();
   if (began_it) highest = std::max(highest, ball.flight->highest);
   const double top = highest + 2 * field_.ball_radius;
-  if (top <= height_) return;
   std::optional<Chip>& chip = chips_[touch->robot.team];
-  if (!chip || chip->by != touch->robot) {
-    chip = Chip{touch->robot, began_it ? ball.flight->from : touch->position, top};
+  if (began_it && chip && chip->by == touch->robot && is_same(chip->kicked, ball.flight->kicked)) {
+    chip->highest = top;  // the filter knows it better now
+    if (top <= height_) chip.reset();
+    return;
   }
+  if (top <= height_) return;
+  if (!chip || chip->by != touch->robot) {
+    chip = Chip{touch->robot, began_it ? ball.flight->from : touch->position, top, {}};
+  }
+  if (began_it) chip->kicked = ball.flight->kicked;
   chip->highest = std::max(chip->highest, top);
 }
 

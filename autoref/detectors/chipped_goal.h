@@ -36,9 +36,10 @@ class ChippedGoal final : public Detector {
  private:
   struct Chip {
     world::RobotId by;
-    world::Vector2d kick;  // [m]
-    double highest = 0;    // [m] top of the ball
-    bool sure = false;     // that there was a flight
+    world::Vector2d kick;                 // [m]
+    double highest = 0;                   // [m] top of the ball
+    std::optional<world::Time> kicked{};  // the flight that it began
+    bool sure = false;                    // that there was a flight
   };
 
   void watch_height(const world::TrackedFrame& frame);
