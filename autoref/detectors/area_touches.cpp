@@ -54,10 +54,12 @@ std::optional<world::Touch> AreaTouches::carried(const world::TrackedFrame& fram
 std::optional<world::Touch> AreaTouches::pressed(const world::TrackedFrame& frame,
                                                  const world::TrackedRobot& robot, world::Time earliest) {
   Near& near = near_[robot.id.team][robot.id.number];
+  const double reach = field_.robot_radius + field_.ball_radius + beside;
   const auto in_area = [&](world::Side side) { return depth_in_area(field_, side, robot.position) > 0; };
   const bool on_the_ground = frame.ball && !frame.ball->flight;
-  const bool inside = in_area(world::Side::Negative) || in_area(world::Side::Positive);
-  if (!on_the_ground || !inside || gap_to_ball(field_, robot, on_ground(*frame.ball)) > beside) {
+  if (!on_the_ground || (on_ground(*frame.ball) - robot.position).squaredNorm() > reach * reach ||
+      gap_to_ball(field_, robot, on_ground(*frame.ball)) > beside ||
+      !(in_area(world::Side::Negative) || in_area(world::Side::Positive))) {
     near = {};
     return std::nullopt;
   }

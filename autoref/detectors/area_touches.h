@@ -13,8 +13,8 @@ namespace detectors {
 /// Who certainly touched the ball in play near a defense area, and where that robot was then.
 ///
 /// Touches that were reported as at least as probable as `sure`, and contact that lasts, which begins once
-/// and is not reported again: Carried  by one robot alone for four frames. Alone: no opponent within 30 mm,
-/// no team-mate within 12 mm,
+/// and is not reported again:
+/// Carried  by one robot alone for four frames. Alone: no opponent within 30 mm, no team-mate within 12 mm,
 ///          since the goalie stands beside a defender that offends.
 /// Pressed  between two robots for two frames: hulls within 10 mm of the ball on opposite sides of it. Where
 ///          between them it is, nobody sees; but so narrow a gap leaves it no room that touches only one.
