@@ -72,10 +72,13 @@ std::string shell_line(const std::vector<std::string>& words) {
 class Judging {
  public:
   Judging(const JudgeOptions& options, const schedule::Design& design)
-      : held_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out),
-        folder_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out),
+      : folder_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out),
         keep_(options.keep),
         again_(options.again) {
+    if (!keep_.empty() && fs::exists(keep_) && !fs::is_directory(keep_)) {
+      throw std::invalid_argument("--keep " + keep_.string() +
+                                  ": is no folder; give one, or a name that is free");
+    }
     if (design.conditions.size() > 1) {
       for (const schedule::Condition& condition : design.conditions) {
         if (condition.realism.preset != design.conditions.front().realism.preset) {
@@ -182,6 +185,7 @@ class Judging {
     for (const judge::ShadowConfig& shadow : shadows_) identity += "\n" + shadow.name;
     if (!again_.empty()) identity += "\nagain " + again_.string();
     identity = runner::hash_of(identity);
+    held_.emplace(folder_);  // all else is checked
     fs::create_directories(folder_ / "games");
     const fs::path file = folder_ / "experiment";
     if (!fs::exists(file)) {
@@ -222,7 +226,7 @@ class Judging {
               << std::endl;
   }
 
-  runner::ResultFolder held_;  // against a second run
+  std::optional<runner::ResultFolder> held_;  // against a second run
   fs::path folder_;
   fs::path keep_, again_;  // where recordings are written, or read
   std::vector<judge::ShadowConfig> shadows_;
@@ -253,11 +257,19 @@ int show(const schedule::Design& design, const JudgeOptions& options) {
     throw std::invalid_argument("--show " + where +
                                 ": give GAME:FIRST-LAST, ticks, as base-0003-1:10624-10804");
   }
+  if (passage.last < passage.first) {
+    throw std::invalid_argument("--show " + where + ": the last tick is before the first");
+  }
+  const auto check_length = [&](const judge::GameResult& result) {
+    if (result.ticks >= passage.first) return;
+    throw std::invalid_argument(fmt::format("--show {}: the game has {} ticks", where, result.ticks));
+  };
   const schedule::Game game = schedule::find_game(design, where.substr(0, colon));
   passage.out = &std::cout;
   passage.save = options.save;
   if (!options.again.empty()) {
-    judge::judge_again(options.again / (where.substr(0, colon) + recording_ending), {}, passage);
+    check_length(
+        judge::judge_again(options.again / (where.substr(0, colon) + recording_ending), {}, passage));
     return done;
   }
   runner::Signals signals;
@@ -268,7 +280,7 @@ int show(const schedule::Design& design, const JudgeOptions& options) {
   settings.on_second = [&](world::Time time, const auto&) {
     over = world::seconds(time) * world::ticks_per_second > static_cast<double>(passage.last + 120);
   };
-  judge::play_judged({where.substr(0, colon), game.config, {}}, settings, passage);
+  check_length(judge::play_judged({where.substr(0, colon), game.config, {}}, settings, passage));
   return done;
 }
 
@@ -309,11 +321,12 @@ int judge(const JudgeOptions& options) {
       design.name, games.size(), judging.count(), played, design.rules,
       record::text(design.conditions.front().realism), command);
   const std::vector<judge::Table> tables = judge::tables(games, command);
-  write_tables(judging.folder(), games, tables, intro);
+  if (!games.empty()) write_tables(judging.folder(), games, tables, intro);
   if (signal) {
     std::cerr << "interrupted, nothing is lost; continue with: " << command << std::endl;
     return signal_base + *signal;
   }
+  if (games.empty()) return faults;
   std::cout << intro << judge::as_markdown(tables);
   return games.size() == judging.count() ? done : faults;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "experiments/host/match.h"
+#include "experiments/judge/failures.h"
 #include "experiments/judge/net/reported.h"
 #include "sim/engine/realism.h"
 
@@ -123,8 +124,12 @@ void Watch::tell(const Seen& seen, std::ostream& out) const {
         (robot.position - truth.ball.position.head<2>()).norm() - model_.geometry.field.robot_radius;
     if (distance < 0.6) out << fmt::format("  {} {:.3f} m", who(robot.id), distance);
   }
-  for (const truth::Contact& contact : truth.contacts) {
-    out << fmt::format("  {} touches {:.1f} mN s", who(contact.robot), 1000 * contact.impulse);
+  for (const truth::Robot& robot : truth.robots) {
+    double impulse = 0;
+    for (const truth::Contact& contact : truth.contacts) {
+      if (contact.robot == robot.id) impulse += contact.impulse;
+    }
+    if (impulse > 0) out << fmt::format("  {} touches {:.1f} mN s", who(robot.id), 1000 * impulse);
   }
   for (const truth::Kick& kick : truth.kicks) {
     out << fmt::format("  {} kicks {:.2f} m/s", who(kick.robot), kick.velocity.norm());
@@ -143,16 +148,13 @@ void Watch::tell_events(const Passage& passage) const {
     const double tick = world::seconds(time) * world::ticks_per_second;
     return tick >= static_cast<double>(passage.first) && tick <= static_cast<double>(passage.last);
   };
-  for (const TrueEvent& event : laws_.events()) {
-    if (!inside(event.time)) continue;
-    *passage.out << fmt::format("truth: {} at {:.3f} s, {:.3f}, margin {:.2f}{}\n", judge::name(event.event),
-                                world::seconds(event.time), event.value, event.margin,
-                                event.ambiguous ? ", ambiguous" : "");
-  }
-  for (const Call& call : ours_.calls()) {
-    if (!inside(call.time)) continue;
-    *passage.out << fmt::format("call: {} at {:.3f} s, reported at {:.3f} s\n", judge::name(call.event),
-                                world::seconds(call.time), world::seconds(call.reported));
+  for (const Case& one : pair(ours_.name(), laws_.events(), ours_.calls(), ours_.rules())) {
+    if (!(one.truth && inside(one.truth->time)) && !(one.call && inside(one.call->time))) continue;
+    const char* const doubt = one.ambiguous() ? " (ambiguous)" : one.close() ? " (close)" : "";
+    const bool wrong_team = one.event == Event::Exit && one.result == Result::Found && !one.team_is_right();
+    *passage.out << fmt::format("{}: {}{}; {}\n", judge::name(one.event),
+                                wrong_team ? "last touch wrong" : judge::name(one.result), doubt,
+                                sentence(one));
   }
 }
 

@@ -85,7 +85,12 @@ void add_goals(std::span<const GameResult> games, const Wanted& wanted, Goals& g
   const GoalClasses all(games, acting_name);
   const std::string few = too_few(all.goals, wanted.goals, "goals");
   const int extra = all.extra + all.chip_extra;
-  goals.add("false goals", "none", fmt::format("{} of {} called", extra, all.found + extra), extra == 0, few);
+  if (all.found + extra == 0) {
+    goals.unknown("false goals", "none");
+  } else {
+    goals.add("false goals", "none", fmt::format("{} of {} called", extra, all.found + extra), extra == 0,
+              few);
+  }
   if (all.goals == 0) return goals.unknown("missed goals", "none");
   goals.add("missed goals", "none", fmt::format("{} of {}", all.missed, all.goals), all.missed == 0, few);
 }
