@@ -276,11 +276,18 @@ int show(const schedule::Design& design, const JudgeOptions& options) {
   host::Options settings;
   settings.cpu = ::sched_getcpu();
   bool over = false;
-  settings.interrupted = [&] { return over || signals.wait(std::chrono::milliseconds{0}).has_value(); };
+  bool stopped = false;
+  settings.interrupted = [&] {
+    stopped = stopped || signals.wait(std::chrono::milliseconds{0}).has_value();
+    return over || stopped;
+  };
   settings.on_second = [&](world::Time time, const auto&) {
     over = world::seconds(time) * world::ticks_per_second > static_cast<double>(passage.last + 120);
   };
-  check_length(judge::play_judged({where.substr(0, colon), game.config, {}}, settings, passage));
+  const judge::GameResult played =
+      judge::play_judged({where.substr(0, colon), game.config, {}}, settings, passage);
+  if (stopped) return faults;
+  check_length(played);
   return done;
 }
 

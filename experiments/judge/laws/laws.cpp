@@ -34,15 +34,7 @@ void Laws::watch(const truth::Frame& frame, const world::GameState& state, bool 
                        state.location == Location::Setup)) {
     play_.reset();
   }
-  const Moment moment{.now = frame,
-                      .before = *before_,
-                      .state = state,
-                      .entered = entered,
-                      .by_hand = by_hand_,
-                      .ball_seen = ball_seen,
-                      .touches = touches_,
-                      .rules = rules_,
-                      .bands = bands_};
+  const Moment moment = at(frame, state, entered, ball_seen);
   const std::size_t first_of_kicks = events_.size();
   kicks_.watch(moment, events_);
   const std::size_t end_of_kicks = events_.size();
@@ -50,15 +42,7 @@ void Laws::watch(const truth::Frame& frame, const world::GameState& state, bool 
   settling_.watch(moment, events_);
 
   const bool after_whistle = play_ && state.location != Location::GameOn;
-  const Moment play{.now = frame,
-                    .before = *before_,
-                    .state = play_ ? *play_ : state,
-                    .entered = entered && !after_whistle,
-                    .by_hand = by_hand_,
-                    .ball_seen = ball_seen,
-                    .touches = touches_,
-                    .rules = rules_,
-                    .bands = bands_};
+  const Moment play = at(frame, play_ ? *play_ : state, entered && !after_whistle, ball_seen);
   const std::size_t first = events_.size();
   ball_speed_.watch(play, events_);
   watch_play(play);
@@ -71,6 +55,18 @@ void Laws::watch(const truth::Frame& frame, const world::GameState& state, bool 
   }
   before_ = frame;
   state_ = state;
+}
+
+Moment Laws::at(const truth::Frame& now, const world::GameState& state, bool entered, bool ball_seen) const {
+  return {.now = now,
+          .before = *before_,
+          .state = state,
+          .entered = entered,
+          .by_hand = by_hand_,
+          .ball_seen = ball_seen,
+          .touches = touches_,
+          .rules = rules_,
+          .bands = bands_};
 }
 
 void Laws::watch_play(const Moment& play) {
@@ -98,15 +94,8 @@ void Laws::finish() {
   if (before_) {
     world::GameState over = state_;
     over.location = Location::GameOff;
-    const Moment end{.now = *before_,
-                     .before = *before_,
-                     .state = over,
-                     .entered = true,
-                     .by_hand = true,
-                     .ball_seen = false,
-                     .touches = touches_,
-                     .rules = rules_,
-                     .bands = bands_};
+    by_hand_ = true;  // what moves now is no matter
+    const Moment end = at(*before_, over, true, false);
     const std::size_t first = events_.size();
     watch_play(end);
     mark_late(first, state_);

@@ -37,6 +37,8 @@ class Laws {
   bool moved_by_hand() const { return by_hand_; }
 
  private:
+  /// It refers to its arguments.
+  Moment at(const truth::Frame& now, const world::GameState& state, bool entered, bool ball_seen) const;
   void watch_play(const Moment& play);
   void mark_late(std::size_t first, const world::GameState& state);
 
