@@ -12,14 +12,16 @@ namespace detectors {
 /// Rule    laws of 2015, Law 9; paper, Algorithm 2: certain with the third observed frame outside in a row.
 /// Guard   distance outside the lines - ball radius  [m]
 /// Where   the point where the way from the last place inside to the present place crosses the boundary.
-/// Resets  when the ball is inside. A ball between the posts is the goal detector's; here it counts neither
-/// as
-///         inside nor as outside until it is behind the goal (a chip over the bar). A robot that hides the
-///         ball carries it out: exit_frames_hidden in which it is believed well outside, at a robot, make it
-///         certain, when it was seen half a second before it left.
+/// Hidden  a robot that hides the ball carries it out: exit_frames_hidden in which it is surely outside, at a
+///         robot, make it certain.
+/// Waits   for at most 250 ms while nobody can say whether a ball that has just been kicked flies, since a
+///         camera shows a ball in the air too far out; not for one that had rolled out before.
+/// When    interpolated; if nobody saw it cross the line, its way since it is outside, followed back.
+/// Resets  when the ball is inside; an exit is told again only after exit_frames in a row 20 mm inside. A
+///         ball between the posts is the goal detector's; here it counts neither as inside nor as outside
+///         until it is behind the goal (a chip over the bar).
 /// Source  Algorithm 2 with I-6 and I-25. Ours: after a jump that no ball can make, exit_frames_jump, since
-/// it
-///         is more likely a false ball; for a way through the goal's mouth exit_frames_mouth, since the
+///         it is more likely a false ball; for a way through the goal's mouth exit_frames_mouth, since the
 ///         filter runs through the goal's back before it believes the bounce.
 class BallLeftField final : public Detector {
  public:
@@ -33,9 +35,12 @@ class BallLeftField final : public Detector {
   Events update(const world::TrackedFrame& frame, const world::GameState& state) override;
   void reset() override {
     last_inside_.reset();
+    seen_inside_.reset();
+    believed_.reset();
     first_outside_.reset();
     count_ = 0;
     hidden_ = 0;
+    inside_ = 0;
     reported_ = false;
   }
 
@@ -47,6 +52,7 @@ class BallLeftField final : public Detector {
 
   Events judge(const world::TrackedFrame& frame, const world::Vector2d& ball, const world::GameState& state);
   bool is_carried_out(const world::TrackedFrame& frame);
+  world::Time instant(const Sample& now) const;
   double guard(const world::Vector2d& ball) const;
   bool is_certain(bool in_mouth) const;
 
@@ -56,10 +62,14 @@ class BallLeftField final : public Detector {
   int frames_jump_;
   int frames_hidden_;
   std::optional<Sample> last_inside_;  // seen, or hidden by a robot
+  std::optional<Sample> seen_inside_;
+  std::optional<world::Vector2d> believed_;  // [m] where it was in the last frame, if hidden then
   std::optional<Sample> first_outside_;
-  int count_ = 0;          // observed frames outside in a row
-  int hidden_ = 0;         // frames among them in which a robot hid it outside
-  bool reported_ = false;  // this exit has been reported
+  bool rolled_out_ = false;  // on the ground, not slowly, before any kick that may have made it fly
+  int count_ = 0;            // observed frames outside in a row
+  int hidden_ = 0;           // frames among them in which a robot hid it outside
+  int inside_ = 0;           // observed frames in a row clearly inside
+  bool reported_ = false;    // this exit has been reported
 };
 
 }  // namespace detectors

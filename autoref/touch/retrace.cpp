@@ -192,8 +192,11 @@ class Retracing {
     inverse /= det;
     const Vector2d off = to.ball - as_seen(h, to);
     const double chi2 = off.dot(inverse * off);
+    const double wide2 = params_.wide * params_.wide;
     const double density =
-        (1 - params_.outliers) * std::exp(-chi2 / 2) / (2 * std::numbers::pi * std::sqrt(det));
+        (1 - params_.outliers) *
+        ((1 - params_.rough) * std::exp(-chi2 / 2) + params_.rough / wide2 * std::exp(-chi2 / (2 * wide2))) /
+        (2 * std::numbers::pi * std::sqrt(det));
     const double floor = params_.outliers / (std::numbers::pi * 0.15 * 0.15);
     h.weight *= density + floor;
     if (density < floor) return false;

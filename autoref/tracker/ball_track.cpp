@@ -395,7 +395,10 @@ void BallTrack::hide(world::Time now, std::span<const world::TrackedRobot> robot
 world::TrackedBall BallTrack::foretell(world::Time time, std::span<const world::TrackedRobot> robots) const {
   world::TrackedBall ball;
   ball.unseen = std::max(world::Duration{}, time - seen_);
-  if (study_) ball.airborne = study_->airborne();
+  if (study_) {
+    ball.airborne = study_->airborne();
+    ball.may_fly = study_->in_doubt();
+  }
   if (ball.airborne > 0.5) {
     const AirFilter air = study_->filter_at(time);
     if (!air.rolls()) {
@@ -415,6 +418,7 @@ world::TrackedBall BallTrack::foretell(world::Time time, std::span<const world::
   const double unsure =
       hidden ? hidden_sigma + hidden_drift * world::seconds(ball.unseen) : (beside_robot_ ? beside_sigma : 0);
   ball.sigma = std::hypot(state.sigma, unsure);
+  if (hidden) ball.outside = hidden_.outside(time, robots);
   return ball;
 }
 

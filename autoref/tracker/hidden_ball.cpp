@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "sim/world/robot_specs.h"
 
@@ -15,13 +16,16 @@ constexpr double least_weight = 1e-3;   // of a hypothesis; ours
 constexpr double clearly = 1.5;         // times heavier, to be published instead; ours
 constexpr double held_share = 0.7;      // of a ball lost at a dribbler; ours
 constexpr double taken_share = 0.5;     // of a ball that a front meets; ours
+constexpr double caught_share = 0.02;   // by a robot that is near when a ball is lost,
+constexpr double catching_reach = 0.3;  // [m] from its centre; ours
 constexpr double along_share = 0.5;     // goes along with the robot that hid it; ours
 constexpr double front_reach = 0.01;    // [m] gap at which a front has the ball; ours
 constexpr double mouth = 0.045;  // [m] half the width in which a front holds it: the dribbler and half a ball
-constexpr double same_place = 0.015;  // [m] two hypotheses so near are one; ours
-constexpr double step = 0.02;         // [m] a longer way may lead through a hull
-constexpr double pressed = 0.005;     // [m] a ball this deep in a hull has met it; ours
-constexpr double kept = 0.7;          // of the speed along a hull that the ball meets; ours
+constexpr double same_place = 0.015;   // [m] two hypotheses so near are one; ours
+constexpr double step = 0.02;          // [m] a longer way may lead through a hull
+constexpr double pressed = 0.005;      // [m] a ball this deep in a hull has met it; ours
+constexpr double place_sigma = 0.015;  // [m] of a hypothesis that is right (README, Measured)
+constexpr double kept = 0.7;           // of the speed along a hull that the ball meets; ours
 
 const world::TrackedRobot* find(std::span<const world::TrackedRobot> robots, world::RobotId id) {
   for (const world::TrackedRobot& robot : robots) {
@@ -148,6 +152,14 @@ void HiddenBall::start(const BallFilter::Motion& motion, world::Time time,
     const Gap its = gap(field_, robot, motion.position);
     if (its.at_front && its.distance < 2 * front_reach) hold(all_[0], robot, motion.position, held_share);
   }
+  // A robot near by may have caught it unseen: believed when nothing else explains why nobody sees the ball.
+  for (const world::TrackedRobot& robot : robots) {
+    if ((robot.position - motion.position).norm() > catching_reach) continue;
+    static constexpr double front = world::RobotSpecs{}.center_to_dribbler;
+    const Vector2d at_front =
+        robot.position + (front + field_.ball_radius) * world::direction(robot.orientation);
+    hold(all_[0], robot, at_front, caught_share);
+  }
   for (std::size_t n = 1; n < count_; ++n) {
     if (all_[n].weight > all_[best_].weight) best_ = n;
   }
@@ -268,6 +280,16 @@ BallFilter::Motion HiddenBall::motion(const Hypothesis& one, world::Time time,
 
 BallFilter::Motion HiddenBall::best(world::Time time, std::span<const world::TrackedRobot> robots) const {
   return motion(all_[best_], time, robots);
+}
+
+double HiddenBall::outside(world::Time time, std::span<const world::TrackedRobot> robots) const {
+  double sum = 0;
+  for (std::size_t n = 0; n < count_; ++n) {
+    const double beyond =
+        world::distance_outside_lines(field_, motion(all_[n], time, robots).position) - field_.ball_radius;
+    sum += all_[n].weight * 0.5 * std::erfc(-beyond / (place_sigma * std::numbers::sqrt2));
+  }
+  return sum;
 }
 
 std::optional<BallFilter::Motion> HiddenBall::nearest(const Vector2d& place, double tolerance,

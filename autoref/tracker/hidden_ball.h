@@ -30,6 +30,8 @@ class HiddenBall {
 
   /// Where it most likely is. @pre active  @param robots  foretold to `time`
   BallFilter::Motion best(world::Time time, std::span<const world::TrackedRobot> robots) const;
+  /// The probability that it is wholly beyond the lines. @pre active  @param robots  foretold to `time`
+  double outside(world::Time time, std::span<const world::TrackedRobot> robots) const;
   /// The hypothesis nearest to a place; nothing when none is within `tolerance` [m].
   std::optional<BallFilter::Motion> nearest(const Vector2d& place, double tolerance, world::Time time,
                                             std::span<const world::TrackedRobot> robots) const;

@@ -37,6 +37,7 @@ constexpr int misses_to_end = 3;
 constexpr double worst_fit = 3;     // mean square: twice the nominal noise; ours
 constexpr int first_word = 5;       // sightings before which nothing is said (football.md 3.3); ours
 constexpr int least_sightings = 8;  // before anything is settled (football.md 3.3)
+constexpr double doubtful = 0.2;    // probability; ours
 constexpr double settled_flat = 0.01, settled_air = 0.98;  // probabilities
 constexpr world::Duration longest_doubt = 600ms;           // ours
 
@@ -238,6 +239,10 @@ void KickStudy::judge() {
   if (airborne_ < settled_flat) over_ = true;
   if (airborne_ > settled_air) ground_.clear();
   if (airborne_ < 0.5 && last_ - flight_.kicked > longest_doubt) over_ = true;
+}
+
+bool KickStudy::in_doubt() const {
+  return !over_ && !ground_.empty() && airborne_ <= 0.5 && (sightings_ < first_word || airborne_ > doubtful);
 }
 
 // A chip fits well, rises enough to be told from a flat kick, and not nearly straight up.

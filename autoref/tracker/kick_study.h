@@ -57,6 +57,7 @@ class KickStudy {
 
   int sightings() const { return sightings_; }
   double airborne() const { return airborne_; }  ///< probability of flight at the last sighting
+  bool in_doubt() const;                         ///< too few sightings to say that it does not fly
   bool over() const { return over_; }            ///< on the ground, or nothing explains the sightings
   bool landed() const { return air_.front().filter.rolls(); }
   /// The flight, foretold to `time`.

@@ -30,7 +30,9 @@ struct TrackedBall {
   bool observed = false;                 ///< some camera saw it in this frame
   Duration unseen{};                     ///< time since a camera saw it last
   double sigma = 0;                      ///< [m] standard deviation of the position, larger of both axes
+  double outside = 0;                    ///< of a hidden ball: probability that it is wholly beyond the lines
   double airborne = 0;                   ///< probability that it is in the air now
+  bool may_fly = false;                  ///< kicked so recently that this cannot be said yet
   std::optional<Flight>
       flight{};  ///< while airborne is above a half; position and velocity are then in space
 };

@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "experiments/record/match_config.h"
+#include "tests/fakes/programs.h"
 
 namespace fakes {
 
 /// The command line of the scripted team; see tests/fakes/fake_team.cpp for the modes.
 inline std::vector<std::string> fake_team(const std::string& mode, int at_tick = 5) {
-  return {std::string(BIN_DIR) + "/fake-team", "--mode", mode, "--at", std::to_string(at_tick)};
+  return {fakes::bin_dir() + "/fake-team", "--mode", mode, "--at", std::to_string(at_tick)};
 }
 
 /// A short game between two scripted teams: two halves of 10 s.

@@ -11,12 +11,14 @@
 
 #include "experiments/host/play.h"
 #include "tests/fakes/games.h"
+#include "tests/fakes/programs.h"
 
 namespace {
 
 record::MatchConfig game_of_chasers() {
   auto config = fakes::short_game("good", "good");
-  for (const world::Team team : world::both_teams) config.teams[team].command = {BIN_DIR "/team-chaser"};
+  for (const world::Team team : world::both_teams)
+    config.teams[team].command = {fakes::bin_dir() + "/team-chaser"};
   config.half_length = 20;
   return config;
 }

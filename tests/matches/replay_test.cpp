@@ -15,6 +15,7 @@
 #include "sim/wire/referee.h"
 #include "sim/wire/vision.h"
 #include "tests/fakes/games.h"
+#include "tests/fakes/programs.h"
 
 namespace {
 
@@ -89,7 +90,8 @@ class ReplayTest : public testing::TestWithParam<const char*> {
 
 TEST_P(ReplayTest, GivesTheSameCallsAtTheSameTimes) {
   auto config = fakes::short_game("wander", "wander");
-  for (const world::Team team : world::both_teams) config.teams[team].command = {BIN_DIR "/team-chaser"};
+  for (const world::Team team : world::both_teams)
+    config.teams[team].command = {fakes::bin_dir() + "/team-chaser"};
   config.teams.blue.robots = {1, 2, 4};
   config.half_length = 20;
   config.realism.preset = GetParam();

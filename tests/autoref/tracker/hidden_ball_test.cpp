@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "sim/vision/occlusion.h"
 #include "tests/autoref/tracker/running.h"
 
@@ -62,6 +65,35 @@ TEST(HiddenBall, IsWithTheOtherRobotWhenTheOneThatSeemedToHaveItTurnsAndShowsNon
     // Blue's back reaches 17 mm farther than its front and pushes the ball aside; blue's front is 0.19 m
     // away.
     EXPECT_LT((hidden.best(frame(63), robots).position - ball).norm(), 0.07) << turn;
+  }
+}
+
+TEST(HiddenBall, IsWithARobotThatWasNearWhenItsOwnWayIsInViewAndEmpty) {
+  // It is lost at 2 m/s on its way past blue, whose front hides what it has caught. After a few frames its
+  // free way leads to where the camera would see it.
+  const std::vector<world::TrackedRobot> robots = {robot_at(blue_2, {-1, -1}, away)};
+  const Vector2d side(-away.y(), away.x());
+  const Vector2d lost = robots[0].position + 0.12 * away - 0.06 * side;
+  HiddenBall hidden(with_cameras());
+  hidden.start({lost, 2 * side}, frame(0), robots);
+  for (int n = 1; n <= 20; ++n) hidden.advance(frame(n), robots);
+  EXPECT_LT((hidden.best(frame(20), robots).position - robots[0].position).norm(), 0.12);
+}
+
+TEST(HiddenBall, IsOutsideAsFarAsItsHypothesesAre) {
+  // Blue holds it on the touch line, its front towards the camera's blind side: one hypothesis, known to 15
+  // mm.
+  const world::Field field;
+  for (const double beyond : {-0.015, 0.0, 0.015}) {
+    const double y = -field.half_width() - field.ball_radius - beyond;
+    const Vector2d ball(-1, y);
+    const std::vector<world::TrackedRobot> robots = {
+        robot_at(blue_2, ball + Vector2d(0, held), Vector2d(0, -1))};
+    HiddenBall hidden(with_cameras());
+    hidden.start({ball, Vector2d::Zero()}, frame(0), robots);
+    hidden.advance(frame(1), robots);
+    const double expected = 0.5 * std::erfc(-beyond / 0.015 / std::numbers::sqrt2);
+    EXPECT_NEAR(hidden.outside(frame(1), robots), expected, 1e-3);  // of a hypothesis that is dropped
   }
 }
 

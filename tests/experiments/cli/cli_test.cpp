@@ -11,6 +11,8 @@
 #include <fstream>
 #include <string>
 
+#include "tests/fakes/programs.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,7 +36,8 @@ class MatchdayProgram : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   Said matchday(const std::string& arguments) const {
-    const std::string line = "cd '" + folder_.string() + "' && " BIN_DIR "/matchday " + arguments + " 2>&1";
+    const std::string line =
+        "cd '" + folder_.string() + "' && " + fakes::bin_dir() + "/matchday " + arguments + " 2>&1";
     FILE* pipe = ::popen(line.c_str(), "r");
     Said said;
     std::array<char, 4096> buffer;
@@ -53,7 +56,7 @@ class MatchdayProgram : public testing::Test {
   }
 
   static std::string fake(const std::string& arguments = "") {
-    return " --worker '" BIN_DIR "/fake_worker " + arguments + "'";
+    return " --worker '" + fakes::bin_dir() + "/fake_worker " + arguments + "'";
   }
 
   fs::path folder_;
@@ -181,7 +184,8 @@ TEST_F(MatchdayProgram, EndsWithAnErrorWhenTooManyGamesAreVoid) {
   EXPECT_THAT(said.text,
               HasSubstr("5 games in a row were void (the last: the worker ended with code 3): stopped"));
   EXPECT_THAT(said.text, HasSubstr("no game counts yet"));
-  EXPECT_THAT(said.text, HasSubstr("when it is mended, continue with: " BIN_DIR "/matchday run good.toml"));
+  EXPECT_THAT(said.text,
+              HasSubstr("when it is mended, continue with: " + fakes::bin_dir() + "/matchday run good.toml"));
 }
 
 TEST_F(MatchdayProgram, EndsBeforeTheFirstGameWhenTheTeamsCannotPlay) {
@@ -196,8 +200,9 @@ TEST_F(MatchdayProgram, EndsBeforeTheFirstGameWhenTheTeamsCannotPlay) {
 TEST_F(MatchdayProgram, ReplaysAFaultyGameFromItsRepliesWithoutTheTeams) {
   std::ofstream(folder_ / "real.toml")
       << "name = \"real\"\npairs = 1\n[rules]\nhalf_length = 5.0\n"
-      << "[teams.a]\ncommand = [\"" BIN_DIR "/fake-team\", \"--mode\", \"wander\"]\n"
-      << "[teams.b]\ncommand = [\"" BIN_DIR "/fake-team\", \"--mode\", \"crash\", \"--at\", \"400\"]\n";
+      << "[teams.a]\ncommand = [\"" + fakes::bin_dir() + "/fake-team\", \"--mode\", \"wander\"]\n"
+      << "[teams.b]\ncommand = [\"" + fakes::bin_dir() +
+             "/fake-team\", \"--mode\", \"crash\", \"--at\", \"400\"]\n";
   EXPECT_EQ(matchday("run real.toml --no-preflight").code, 0) << "forfeits count";
   for (const std::string how : {"", " --recorded"}) {
     const Said said = matchday("replay results/real base-0000-1" + how);
@@ -226,13 +231,14 @@ TEST_F(MatchdayProgram, InterruptedSaysHowToContinue) {
   write_design("good.toml");
   const std::string line = "run good.toml --out 'my results' --no-preflight" + fake("--milliseconds 5000");
   const std::string shell =
-      "cd '" + folder_.string() + "' && timeout -s INT 2 " BIN_DIR "/matchday " + line + " 2>&1";
+      "cd '" + folder_.string() + "' && timeout -s INT 2 " + fakes::bin_dir() + "/matchday " + line + " 2>&1";
   FILE* pipe = ::popen(shell.c_str(), "r");
   std::string text;
   std::array<char, 4096> buffer;
   while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) text += buffer.data();
   ::pclose(pipe);
-  EXPECT_THAT(text, HasSubstr("continue with: " BIN_DIR "/matchday run good.toml --out 'my results'"));
+  EXPECT_THAT(text,
+              HasSubstr("continue with: " + fakes::bin_dir() + "/matchday run good.toml --out 'my results'"));
 }
 
 TEST_F(MatchdayProgram, ReplayWantsAGameOfTheFolder) {
@@ -251,7 +257,7 @@ TEST_F(MatchdayProgram, EndsWithTheVerdictOfASequentialTest) {
                                               << "\n[teams.a]\nname = \"new\"\ncommand = \"true goals=" << a
                                               << "\"\n[teams.b]\nname = \"old\"\ncommand = \"true goals=" << b
                                               << "\"\n[stopping]\nrule = \"sequential\"\nh1 = " << h1 << "\n";
-    return matchday("run " + name + ".toml --worker " BIN_DIR "/coin_worker");
+    return matchday("run " + name + ".toml --worker " + fakes::bin_dir() + "/coin_worker");
   };
   const Said better = verdict("better", "5", "1", "0.5");
   EXPECT_EQ(better.code, 0);
@@ -268,7 +274,7 @@ TEST_F(MatchdayProgram, PlansFromTheGamesOfAnEarlierRun) {
   std::ofstream(folder_ / "night.toml")
       << "name = \"night\"\npairs = 40\n[teams.a]\ncommand = \"true goals=2\"\n"
       << "[teams.b]\ncommand = \"true goals=1\"\n";
-  matchday("run night.toml --worker " BIN_DIR "/coin_worker");
+  matchday("run night.toml --worker " + fakes::bin_dir() + "/coin_worker");
   const Said plan = matchday("plan night.toml --workers 2");
   EXPECT_EQ(plan.code, 0);
   EXPECT_THAT(plan.text, AllOf(HasSubstr("night: 1 condition x 40 pairs x 2 games = 80 games"),
@@ -289,8 +295,8 @@ TEST_F(MatchdayProgram, PlanSaysWhyItCouldNotMeasure) {
 TEST_F(MatchdayProgram, KeepsOfATeamsOutputWhatTheDesignSays) {
   std::ofstream(folder_ / "talk.toml")
       << "name = \"talk\"\npairs = 1\n[rules]\nhalf_length = 2.0\n[limits]\noutput = 1\n"
-      << "[teams.a]\ncommand = \"" BIN_DIR "/fake-team --mode chatter\"\n"
-      << "[teams.b]\ncommand = \"" BIN_DIR "/fake-team --mode chatter\"\n";
+      << "[teams.a]\ncommand = \"" + fakes::bin_dir() + "/fake-team --mode chatter\"\n"
+      << "[teams.b]\ncommand = \"" + fakes::bin_dir() + "/fake-team --mode chatter\"\n";
   EXPECT_EQ(matchday("run talk.toml --no-preflight --workers 1").code, 4);
   const auto size = fs::file_size(folder_ / "results/talk/games/base-0000-0/1/blue.log");
   EXPECT_GE(size, 1U << 20);
@@ -311,7 +317,8 @@ TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
       0);
   const std::string line =
       "compare main fast --team-repo team --build 'mkdir bin && cp t.sh bin/' --run 'bin/t.sh goals=2' "
-      "--games 12 --worker " BIN_DIR "/coin_worker";
+      "--games 12 --worker " +
+      fakes::bin_dir() + "/coin_worker";
   const Said first = matchday(line);
   EXPECT_EQ(first.code, 0) << first.text;
   EXPECT_THAT(first.text, AllOf(HasSubstr("building fast (commit "), HasSubstr("A fast"), HasSubstr("B main"),
@@ -343,7 +350,8 @@ TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
   EXPECT_FALSE(fs::exists(folder_ / "d"));
   const Said mended = matchday(
       "compare main fast --team-repo team --build 'mkdir bin && cp t.sh bin/' --run 'bin/t.sh goals=2' "
-      "--games 4 --out c --worker " BIN_DIR "/coin_worker");
+      "--games 4 --out c --worker " +
+      fakes::bin_dir() + "/coin_worker");
   EXPECT_EQ(mended.code, 0) << mended.text;
   const Said other = matchday("compare main fast --team-repo team --run bin/t.sh --games 4 --out c");
   EXPECT_EQ(other.code, 5) << "there are games of the other command";
@@ -352,9 +360,8 @@ TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
       HasSubstr("c: holds games of another comparison: `build = \"mkdir bin && cp t.sh bin/\"` there, "
                 "`build = \"\"` here; give another --out"));
 
-  const std::string bin =
-      " --build 'mkdir bin && cp t.sh bin/' --run 'bin/t.sh goals=2' --out c --worker " BIN_DIR
-      "/coin_worker";
+  const std::string bin = " --build 'mkdir bin && cp t.sh bin/' --run 'bin/t.sh goals=2' --out c --worker " +
+                          fakes::bin_dir() + "/coin_worker";
   const Said more = matchday("compare main fast --team-repo team --games 8" + bin);
   EXPECT_EQ(more.code, 0) << more.text;
   EXPECT_THAT(more.text, AllOf(HasSubstr("going on to 8 games from 4"), HasSubstr("4 of 8 games are there"),
@@ -369,8 +376,8 @@ TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
   const std::string unable = "compare main fast --team-repo team --run ./t.sh --games 4 --out e";
   EXPECT_EQ(matchday(unable).code, 3);
   EXPECT_EQ(matchday(unable + " --seed 2").code, 3);
-  EXPECT_THAT(matchday("compare main main --team-repo team --games 2 --run ./t.sh --out f --worker " BIN_DIR
-                       "/coin_worker")
+  EXPECT_THAT(matchday("compare main main --team-repo team --games 2 --run ./t.sh --out f --worker " +
+                       fakes::bin_dir() + "/coin_worker")
                   .text,
               HasSubstr("a program against itself"));
 }

@@ -13,6 +13,7 @@
 #include "experiments/judge/net/reported.h"
 #include "sim/wire/epoch.h"
 #include "tests/fakes/games.h"
+#include "tests/fakes/programs.h"
 
 namespace judge {
 namespace {
@@ -96,7 +97,7 @@ TEST_F(OutsideAutoref, IsHeardAndChangesNothing) {
   const record::MatchRecord alone = host::play(config_);
   // Ten times as fast as real: its packets come every 1.7 ms, which is what such a program can take under
   // load.
-  const std::string name = "net@20:" BIN_DIR "/fake-autoref";
+  const std::string name = "net@20:" + fakes::bin_dir() + "/fake-autoref";
   const GameResult judged = play_judged({"it", config_, {parse_shadow(name)}});
   EXPECT_EQ(judged.fault, "");
   EXPECT_EQ(judged.hash, alone.hash);
@@ -114,7 +115,7 @@ TEST_F(OutsideAutoref, ReportsAnExit) {
   engine::Engine engine(model);
   referee::Referee referee(setup);
   // Half the real pace: on a loaded machine the program still keeps up.
-  NetShadow outside("it", BIN_DIR "/fake-autoref", 0.5, model.geometry, setup.rules);
+  NetShadow outside("it", fakes::bin_dir() + "/fake-autoref", 0.5, model.geometry, setup.rules);
   std::optional<world::Time> out;
   const auto ticks = [&](int count) {
     for (int n = 0; n < count; ++n) {

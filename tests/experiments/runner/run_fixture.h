@@ -20,6 +20,7 @@
 #include "experiments/runner/run.h"
 #include "experiments/runner/status.h"
 #include "tests/experiments/runner/support.h"
+#include "tests/fakes/programs.h"
 
 namespace runner {
 
@@ -40,7 +41,7 @@ class RunTest : public testing::Test {
     RunOptions options;
     options.out = folder_.path() / folder;
     options.workers = 2;
-    options.worker_command = {FAKE_WORKER};
+    options.worker_command = {fakes::bin_dir() + "/fake_worker"};
     options.worker_command.insert(options.worker_command.end(), arguments.begin(), arguments.end());
     options.preflight = false;  // it would play with the fake worker, too; see RunPreflight
     options.grace = std::chrono::milliseconds{50};

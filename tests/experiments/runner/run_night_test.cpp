@@ -11,6 +11,7 @@
 
 #include "experiments/process/family.h"
 #include "tests/experiments/runner/run_fixture.h"
+#include "tests/fakes/programs.h"
 
 namespace runner {
 namespace {
@@ -239,7 +240,7 @@ TEST_F(Night, AWorkerThatTakesTooMuchMemoryIsEnded) {
   WorkerLimits limits;
   limits.memory = std::int64_t{32} << 20;
   limits.grace = 50ms;
-  Worker worker({FAKE_WORKER, "--fail", "always", "--how", "eater"}, limits,
+  Worker worker({fakes::bin_dir() + "/fake_worker", "--fail", "always", "--how", "eater"}, limits,
                 Job{schedule::game(design_, 0), 1}, {.folder = folder_.path() / "eater"});
   std::optional<record::Attempt> attempt;
   ASSERT_TRUE(soon([&] { return (attempt = worker.poll()).has_value(); }));

@@ -13,6 +13,7 @@
 #include "experiments/runner/run.h"
 #include "experiments/stopping/watch.h"
 #include "tests/experiments/runner/support.h"
+#include "tests/fakes/programs.h"
 
 namespace runner {
 namespace {
@@ -41,7 +42,7 @@ class RunStopping : public testing::Test {
     RunOptions options;
     options.out = folder_.path() / folder;
     options.workers = workers;
-    options.worker_command = {COIN_WORKER};
+    options.worker_command = {fakes::bin_dir() + "/coin_worker"};
     return options;
   }
 

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "sim/network/udp.h"
+#include "tests/fakes/programs.h"
 #include "tests/sim/server/bench.h"
 
 namespace {
@@ -80,7 +81,7 @@ Answer ask(UdpSocket& socket, int port, const Question& question) {
 
 /// Runs ssl-sim; returns what it printed and "exit N".
 std::string shell(const std::string& arguments) {
-  const std::string command = std::string(BIN_DIR) + "/ssl-sim " + arguments + " 2>&1";
+  const std::string command = fakes::bin_dir() + "/ssl-sim " + arguments + " 2>&1";
   std::FILE* pipe = popen(command.c_str(), "r");
   std::string text;
   std::array<char, 4096> buffer{};
