@@ -109,6 +109,11 @@ class Judging {
       }
     }
     identify(options, design);
+    // What was judged here before stays in the tables when fewer games are asked for now.
+    for (std::size_t n = games; n < schedule::game_count(design); ++n) {
+      games_.push_back(schedule::game(design, n));
+      if (!fs::exists(result_file(games_.size() - 1))) games_.pop_back();
+    }
   }
 
   const fs::path& folder() const { return folder_; }
@@ -234,12 +239,46 @@ class Judging {
   int faults_ = 0;
 };
 
-void write_tables(const fs::path& folder, const std::vector<judge::GameResult>& games,
+// What a reader of judge.md needs who has not read the README.
+constexpr const char* words =
+    "Words. *Ours*, the acting referee: the one that ran these games. Other referees looked on (*shadows*): "
+    "they saw the "
+    "same images, and were asked in the acting one's state of the moment.\n"
+    "*Band*: 40 mm, 0.2 m/s, 0.2 s (`harsh`: 60 mm, 0.3 m/s, 0.3 s). What happened is *clear* when it was "
+    "beyond its limit "
+    "by a band or more, *close* within one, a *near miss* lawful and within two. Only clear cases count for "
+    "or against a "
+    "referee.\n"
+    "*Found*: called within 0.3 s of when it happened. *Extra*: called, and nothing like it had happened. "
+    "*Of true*, "
+    "recall: found, of what happened; *of called*, precision: right, of what was called.\n\n";
+
+void write_tables(const fs::path& folder, const std::vector<judge::Failure>& failures,
                   const std::vector<judge::Table>& tables, const std::string& intro) {
-  write(folder / "judge.md", intro + judge::as_markdown(tables));
+  write(folder / "judge.md", intro + words + judge::as_markdown(tables));
   write(folder / "judge.json", judge::as_json(tables));
   for (const judge::Table& table : tables) write(folder / (table.name + ".csv"), judge::as_csv(table));
-  write(folder / "failures.csv", judge::as_csv(judge::failures(games, judge::acting_name)));
+  write(folder / "failures.csv", judge::as_csv(failures));
+}
+
+// The cases that failed, and how to see the first of each kind again.
+std::string told_cases(const std::vector<judge::Failure>& failures, const JudgeOptions& options,
+                       const fs::path& folder) {
+  std::string text = fmt::format("All tables: {}. ", (folder / "judge.md").string());
+  if (failures.empty()) return text + "No case failed.\n";
+  std::vector<std::string> line = {options.command_line.front(), "judge", options.design.string()};
+  if (!options.again.empty()) line.insert(line.end(), {"--again", options.again.string()});
+  text += fmt::format("Cases that failed: {}, in {}. The first of each kind, tick by tick:\n\n",
+                      failures.size(), (folder / "failures.csv").string());
+  std::vector<std::string> kinds;
+  for (const judge::Failure& one : failures) {
+    const std::string kind = one.event + ": " + one.what.substr(0, one.what.find(';'));
+    if (std::ranges::find(kinds, kind) != kinds.end()) continue;
+    kinds.push_back(kind);
+    text += fmt::format("    {} --show {}:{}-{}    # {}\n", shell_line(line), one.game, one.first_tick,
+                        one.last_tick, kind);
+  }
+  return text;
 }
 
 /// One passage of one game again, tick by tick; `where` is GAME:FIRST-LAST as in failures.csv.
@@ -328,13 +367,15 @@ int judge(const JudgeOptions& options) {
       design.name, games.size(), judging.count(), played, design.rules,
       record::text(design.conditions.front().realism), command);
   const std::vector<judge::Table> tables = judge::tables(games, command);
-  if (!games.empty()) write_tables(judging.folder(), games, tables, intro);
+  const std::vector<judge::Failure> failures = judge::failures(games, judge::acting_name);
+  if (!games.empty()) write_tables(judging.folder(), failures, tables, intro);
   if (signal) {
     std::cerr << "interrupted, nothing is lost; continue with: " << command << std::endl;
     return signal_base + *signal;
   }
   if (games.empty()) return faults;
-  std::cout << intro << judge::as_markdown(tables);
+  std::cout << intro << judge::as_markdown(std::span(tables).first(1))
+            << told_cases(failures, options, judging.folder());
   return games.size() == judging.count() ? done : faults;
 }
 

@@ -22,7 +22,7 @@ struct RetraceParams {
   double switch_sigma = 0.003;    ///< [m] between cameras
   double outliers = 1e-3;         ///< share of sightings that are none of this ball,
   double rough = 0.2;             ///< and of those that are off by more than the courses foretell:
-  double wide = 5;                ///< so many times more
+  double wide = 4;                ///< so many times more
   double hull_sigma = 0.0015;     ///< [m] of a hull in an image
   double touch = 0.5;             ///< weight of a touch at gap zero
   double bounce = 0.35, carry = 0.25, graze = 0.15, kick = 0.25, grip = 0.1,

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "tests/fakes/programs.h"
@@ -218,6 +219,27 @@ TEST_F(MatchdayProgram, ReplaysAFaultyGameFromItsRepliesWithoutTheTeams) {
   const Said gone = matchday("replay results/real base-0000-1 --recorded");
   EXPECT_EQ(gone.code, 2);
   EXPECT_THAT(gone.text, HasSubstr("only those of faulty and sampled games are"));
+}
+
+TEST_F(MatchdayProgram, JudgePrintsTheSummaryAndForgetsNoGameWhenFewerAreAskedFor) {
+  const std::string team = "command = [\"" + fakes::bin_dir() + "/fake-team\", \"--mode\", \"wander\"]\n";
+  std::ofstream(folder_ / "real.toml")
+      << "name = \"real\"\npairs = 1\n[rules]\nhalf_length = 2.0\n[teams.a]\n"
+      << team << "[teams.b]\n"
+      << team;
+  const Said two = matchday("judge real.toml");
+  EXPECT_EQ(two.code, 0) << two.text;
+  EXPECT_THAT(two.text, HasSubstr("2 of 2 games"));
+  EXPECT_THAT(two.text, HasSubstr("| last team |"));
+  EXPECT_THAT(two.text, HasSubstr("All tables: results/judge-real/judge.md."));
+  EXPECT_THAT(two.text, Not(HasSubstr("## b) Last touching team")));  // in judge.md only
+  EXPECT_THAT(matchday("judge real.toml --games 1").text, HasSubstr("2 of 2 games"));
+  fs::remove(folder_ / "results/judge-real/games/base-0000-1.jsonl");
+  EXPECT_THAT(matchday("judge real.toml --games 1").text, HasSubstr("1 of 1 games"));
+  std::ostringstream report;
+  report << std::ifstream(folder_ / "results/judge-real/judge.md").rdbuf();
+  EXPECT_THAT(report.str(), HasSubstr("## b) Last touching team"));
+  EXPECT_THAT(report.str(), HasSubstr("*Band*: 40 mm"));
 }
 
 TEST_F(MatchdayProgram, TellsHowToContinueAfterTroubleWithTheFolder) {
