@@ -81,6 +81,12 @@ void tell_result(const record::MatchConfig& config, const record::MatchRecord& r
                         record.at_fault == record::Party::Both;
     if (a_team && config.directory.empty()) out << "what the team printed: --team-logs FOLDER keeps it\n";
   }
+  for (const world::Team team : world::both_teams) {
+    const auto refused = record.costs.find(std::string("refused_connections_") + world::name(team));
+    if (refused == record.costs.end()) continue;
+    out << fmt::format("{:g} connections to the socket of {} by processes of neither team were refused\n",
+                       refused->second, world::name(team));
+  }
   const double simulated = static_cast<double>(record.ticks) * world::tick_length;
   out << fmt::format("{} ticks, {:.1f} s simulated in {:.1f} s, {:.0f} times real time\n", record.ticks,
                      simulated, record.wall_seconds,

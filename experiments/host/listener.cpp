@@ -13,6 +13,8 @@
 
 namespace host {
 
+constexpr int waiting_room = 16;  // strangers must not keep the team out until they are seen (ours)
+
 Listener::Listener(std::filesystem::path path) : path_(std::move(path)) {
   const std::string name = path_.string();
   sockaddr_un address{};
@@ -26,7 +28,7 @@ Listener::Listener(std::filesystem::path path) : path_(std::move(path)) {
   file_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   void* raw = &address;
   if (file_ < 0 || ::bind(file_, static_cast<const sockaddr*>(raw), sizeof address) != 0 ||
-      ::listen(file_, 1) != 0) {
+      ::listen(file_, waiting_room) != 0) {
     const int error = errno;
     if (file_ >= 0) ::close(file_);
     throw std::runtime_error("cannot listen on " + name + ": " + std::generic_category().message(error));

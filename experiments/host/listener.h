@@ -17,7 +17,7 @@ class Listener {
   const std::filesystem::path& path() const { return path_; }
   int file() const { return file_; }
 
-  /// The connected socket of the first who came, owned by the caller; nothing when nobody has come yet.
+  /// The connected socket of the next who came, owned by the caller; nothing when nobody has come yet.
   std::optional<int> accept();
 
  private:

@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "experiments/process/family.h"
 #include "sim/engine/realism.h"
 #include "sim/world/rules/rule_set.h"
 
@@ -88,9 +87,10 @@ Match::Match(const record::MatchConfig& config, const Options& options)
       idle_([this] { look_around(); }),
       statistics_(engine_.model().geometry) {
   for (const world::Team team : world::both_teams) {
-    teams_[team] = std::make_unique<TeamProcess>(
-        team, config_.teams[team], directory_.path() / (std::string(world::name(team)) + ".socket"));
+    teams_[team] = std::make_unique<TeamProcess>(team, config_.teams[team]);
   }
+  teams_.yellow->meets(*teams_.blue);
+  teams_.blue->meets(*teams_.yellow);
 }
 
 record::MatchRecord Match::run() {
@@ -106,6 +106,7 @@ record::MatchRecord Match::run() {
     if (!anyone_at_fault()) {
       create_referee();
       play_ticks();
+      refuse_visitors();
     }
     record.termination = Termination::Finished;
     record.at_fault = record::Party::Nobody;
@@ -131,6 +132,10 @@ record::MatchRecord Match::run() {
     record.termination = Termination::HarnessFault;
     record.at_fault = record::Party::Harness;
     record.reason = slow.sentence;
+  } catch (const ClaimedTwice& claim) {
+    record.termination = Termination::HarnessFault;
+    record.at_fault = record::Party::Harness;
+    record.reason = claim.sentence;
   } catch (const Overlong&) {
     record.termination = Termination::Overlong;
     record.reason =
@@ -231,6 +236,7 @@ void Match::play_ticks() {
     if (engine_.tick() % world::ticks_per_second == 0) {
       vitals_.add(engine_.truth(), commands_, referee_->message(), referee_->state());
       look_around();
+      refuse_visitors();
       if (options_.on_second) options_.on_second(engine_.time(), referee_->state().score);
       const world::Duration longest = config_.winner ? longest_game_with_winner : longest_game;
       if (engine_.time().time_since_epoch() > longest) throw Overlong{};
@@ -401,6 +407,10 @@ void Match::look_around() {
   check_limits(now);
 }
 
+void Match::refuse_visitors() {
+  for (const world::Team team : world::both_teams) teams_[team]->refuse_visitors();
+}
+
 void Match::check_limits(Patience::Clock::time_point now) {
   if (now - limits_checked_ < limits_interval) return;
   limits_checked_ = now;
@@ -446,9 +456,12 @@ void Match::end(record::MatchRecord& record) {
     record.versions[team] = hello.name() + (hello.version().empty() ? "" : " " + hello.version());
   }
   const std::string farewell = record.reason.empty() ? "the game is over" : record.reason;
-  for (const world::Team team : world::both_teams) teams_[team]->end(farewell, options_.stop_grace);
-  // Also whoever has left its team's process group; each knows our directory from its environment.
-  process::end_started_with(TeamProcess::socket_variable + ("=" + directory_.path().string() + "/"));
+  for (const world::Team team : world::both_teams) {
+    teams_[team]->end(farewell, options_.stop_grace);
+    if (const int strangers = teams_[team]->strangers(); strangers > 0) {
+      record.costs[std::string("refused_connections_") + world::name(team)] = strangers;
+    }
+  }
 }
 
 }  // namespace host

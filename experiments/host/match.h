@@ -7,7 +7,6 @@
 #include "experiments/host/league_log.h"
 #include "experiments/host/messages.h"
 #include "experiments/host/play.h"
-#include "experiments/host/private_directory.h"
 #include "experiments/host/recorded_teams.h"
 #include "experiments/host/robot_count.h"
 #include "experiments/host/tally.h"
@@ -64,7 +63,8 @@ class Match {
   bool live() const;  // teams answer the present tick
   void grant(world::Team team, const wire::proto::Request& request);
   void act_on_wishes(const referee::Output& output);
-  void look_around();  // now and then, and while waiting
+  void look_around();      // now and then, and while waiting
+  void refuse_visitors();  // of both sockets
   void check_limits(Patience::Clock::time_point now);
   void report(std::span<const record::CallEntry> entries);
   void lap(Part part);
@@ -73,7 +73,6 @@ class Match {
 
   record::MatchConfig config_;
   const Options& options_;
-  PrivateDirectory directory_;
   engine::Engine engine_;
   world::PerTeam<std::unique_ptr<TeamProcess>> teams_;
   TeamProcess::Idle idle_;

@@ -1,6 +1,7 @@
 #include "experiments/host/team_process.h"
 
 #include <poll.h>
+#include <unistd.h>
 
 #include "experiments/process/family.h"
 
@@ -21,9 +22,10 @@ std::string said(const process::Child& child) {
 
 }  // namespace
 
-TeamProcess::TeamProcess(world::Team team, const record::TeamConfig& config,
-                         const std::filesystem::path& socket)
-    : team_(team), config_(config), listener_(socket) {}
+TeamProcess::TeamProcess(world::Team team, const record::TeamConfig& config)
+    : team_(team), config_(config), listener_(directory_.path() / "socket") {}
+
+Family TeamProcess::family() const { return {pid(), socket_variable + ("=" + listener_.path().string())}; }
 
 void TeamProcess::blame(Termination termination, const std::string& what) {
   if (fault_) return;
@@ -65,7 +67,7 @@ bool TeamProcess::waited_enough(Termination termination, const std::string& what
 void TeamProcess::accept(const Idle& while_waiting) {
   while (!fault_ && !channel_) {
     if (const auto socket = listener_.accept()) {
-      channel_.emplace(*socket);
+      admit(*socket);
     } else if (child_->has_ended()) {
       note_gone();
     } else if (!waited_enough(Termination::NotConnected, "did not connect")) {
@@ -74,6 +76,37 @@ void TeamProcess::accept(const Idle& while_waiting) {
       while_waiting();
     }
   }
+}
+
+void TeamProcess::admit(int socket) {
+  const Whose who = whose(peer_of(socket), family(), opponent_ != nullptr ? opponent_->family() : Family{});
+  if (!channel_ && (who == Whose::Own || who == Whose::OwnBySaying)) {
+    channel_.emplace(socket);
+    let_in_by_saying_ = who == Whose::OwnBySaying;
+    return;
+  }
+  ::close(socket);
+  switch (who) {
+    case Whose::Own:
+      if (let_in_by_saying_) {
+        throw ClaimedTwice{"a process that had left the others of " + std::string(world::name(team_)) + " (" +
+                           config_.name +
+                           ") plays, and one of them connected, too: isolation tells them apart"};
+      }
+      blame(Termination::Nonsense, "connected a second time to its socket");
+      break;
+    case Whose::Opponents:
+      opponent_->blame(Termination::Nonsense, "connected to the socket of the other team");
+      break;
+    case Whose::OwnBySaying:
+    case Whose::Strangers:
+      ++strangers_;
+      break;
+  }
+}
+
+void TeamProcess::refuse_visitors() {
+  while (const auto socket = listener_.accept()) admit(*socket);
 }
 
 void TeamProcess::note_gone() {
@@ -169,6 +202,8 @@ void TeamProcess::end(const std::string& reason, std::chrono::milliseconds grace
   usage_.user_seconds = exit.user_seconds;
   usage_.system_seconds = exit.system_seconds;
   channel_.reset();
+  // Also whoever has left its process group; each knows its directory from its environment.
+  process::end_started_with(family().mark);
 }
 
 }  // namespace host

@@ -13,6 +13,8 @@
 #include "experiments/host/listener.h"
 #include "experiments/host/messages.h"
 #include "experiments/host/patience.h"
+#include "experiments/host/peer.h"
+#include "experiments/host/private_directory.h"
 #include "experiments/process/child.h"
 #include "experiments/record/match_config.h"
 #include "experiments/record/match_record.h"
@@ -30,6 +32,11 @@ struct MachineTooSlow {
   std::string sentence;
 };
 
+/// Two processes say they are one team, and nobody can tell which is: nobody's fault but ours.
+struct ClaimedTwice {
+  std::string sentence;
+};
+
 /// One team as the host sees it: a process, a socket, and what went wrong with it.
 ///
 /// Every function that talks to the team does nothing once it has a fault. While it waits it calls
@@ -39,8 +46,11 @@ class TeamProcess {
   using Idle = std::function<void()>;
   static constexpr const char* socket_variable = "MATCHDAY_SOCKET";  ///< where its socket is, for the team
 
-  /// @param socket  path for the team's socket; the listening starts here
-  TeamProcess(world::Team team, const record::TeamConfig& config, const std::filesystem::path& socket);
+  /// The team gets a socket in a directory of its own; the listening starts here.
+  TeamProcess(world::Team team, const record::TeamConfig& config);
+
+  /// Whom it plays: who must not come to its socket.
+  void meets(TeamProcess& opponent) { opponent_ = &opponent; }
 
   /// Starts the program, its output going to a file in `directory` unless that is empty; NotStarted when that
   /// fails.
@@ -54,7 +64,7 @@ class TeamProcess {
 
   // These wait, within what was allowed; beyond it is a fault.
   // They throw MachineTooSlow when the team could not run.
-  /// Waits for its connection.
+  /// Waits for its connection. Only a process of the team is let in.
   void accept(const Idle& while_waiting);
   /// Writes one frame.
   void send(std::string_view frame, const Idle& while_waiting);
@@ -62,6 +72,13 @@ class TeamProcess {
   bool receive(const Idle& while_waiting);
   /// The frame that came, as a message, valid until the next one; null when it is none, which is a fault.
   const wire::proto::TeamMessage* message();
+
+  /// Closes what else was connected to its socket, and blames the team whose process did it.
+  ///
+  /// @throws ClaimedTwice when it is the team's own, but who plays has only said to be
+  void refuse_visitors();
+  /// How many connections of others, neither its own nor the opponent's processes, were refused.
+  int strangers() const { return strangers_; }
 
   /// Declares a fault; the first one counts.
   void blame(record::Termination termination, const std::string& what);
@@ -83,12 +100,18 @@ class TeamProcess {
   pid_t pid() const { return child_ ? child_->pid() : -1; }
 
  private:
+  Family family() const;
+  void admit(int socket);
   void note_gone();  // it closed the channel or ended: why?
   bool waited_enough(record::Termination termination, const std::string& what);  // blames it when so
 
   world::Team team_;
   record::TeamConfig config_;
+  PrivateDirectory directory_;
   Listener listener_;
+  TeamProcess* opponent_ = nullptr;
+  bool let_in_by_saying_ = false;  // who plays is of the team by its environment alone
+  int strangers_ = 0;
   std::optional<process::Child> child_;
   std::optional<Channel> channel_;
   std::span<const std::byte> payload_;  // of the last frame, in the channel's memory

@@ -87,14 +87,6 @@ void add_thread(const std::string& folder, Activity& sum) {
   sum.wants_machine = sum.wants_machine || state == 'R' || state == 'D';
 }
 
-bool was_started_with(pid_t process, const std::string& entry) {
-  std::ifstream stream(folder_of(process) + "/environ", std::ios::binary);  // empty for a dead process
-  for (std::string line; std::getline(stream, line, '\0');) {
-    if (line.starts_with(entry)) return true;
-  }
-  return false;
-}
-
 /// KILL through a pidfd, so that it reaches nobody who has got the number meanwhile.
 void end(pid_t process, const std::string& entry) {
   const int handle = static_cast<int>(::syscall(SYS_pidfd_open, process, 0U));
@@ -103,7 +95,29 @@ void end(pid_t process, const std::string& entry) {
   ::close(handle);
 }
 
+/// 0 when there is no such process any more.
+pid_t parent_of(pid_t process) {
+  std::ifstream stream(folder_of(process) + "/stat");
+  std::string text;
+  std::getline(stream, text);
+  const std::size_t name_end = text.rfind(')');  // the name may hold anything
+  if (name_end == std::string::npos) return 0;
+  std::istringstream fields(text.substr(name_end + 1));
+  std::string state;
+  pid_t parent = 0;
+  fields >> state >> parent;
+  return parent;
+}
+
 }  // namespace
+
+bool was_started_with(pid_t process, const std::string& entry) {
+  std::ifstream stream(folder_of(process) + "/environ", std::ios::binary);  // empty for a dead process
+  for (std::string line; std::getline(stream, line, '\0');) {
+    if (line.starts_with(entry)) return true;
+  }
+  return false;
+}
 
 void adopt_orphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1UL); }
 
@@ -158,6 +172,19 @@ Activity family_activity(pid_t process) {
     for (const pid_t thread : numbers_in(tasks)) add_thread(tasks + "/" + std::to_string(thread), sum);
   }
   return sum;
+}
+
+bool descends_from(pid_t process, pid_t ancestor) {
+  for (std::size_t generation = 0; process > 0 && generation < most_members; ++generation) {
+    if (process == ancestor) return true;
+    process = parent_of(process);
+  }
+  return false;
+}
+
+bool belongs_to(pid_t process, pid_t leader) {
+  if (process <= 0 || leader <= 0) return false;
+  return descends_from(process, leader) || ::getpgid(process) == leader || ::getsid(process) == leader;
 }
 
 std::vector<pid_t> started_with(const std::string& entry) {

@@ -33,6 +33,15 @@ std::int64_t resident_memory(pid_t process);
 /// The same of a process and all its descendants together; shared pages count in each of them.
 std::int64_t family_memory(pid_t process);
 
+/// Whether a process is `ancestor` or descends from it by living parents.
+bool descends_from(pid_t process, pid_t ancestor);
+
+/// The same, or it has lost its parents but not left the process group or session that `leader` leads.
+bool belongs_to(pid_t process, pid_t leader);
+
+/// Whether it was started with an environment in which a line "NAME=VALUE" begins with `entry`.
+bool was_started_with(pid_t process, const std::string& entry);
+
 /// What a process and all its descendants are doing.
 struct Activity {
   double processor_seconds = 0;  ///< [s] used so far by all that live, in steps of 0.01 s

@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
@@ -56,6 +58,10 @@ constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK]
   cut           sends half of its answer to TICK, and no more
   memory        takes 64 MiB more every tick from TICK on
   burst         takes memory without end at TICK and does not answer
+  connect-twice connects a second time to its own socket at TICK
+  intrude       connects to the other team's socket before its own, where it then plays
+  intrude-late  connects to the other team's socket at TICK
+  apart         plays in a process that is in no group, session or family of the one that was started
   gigabytes     prints 64 MiB to standard output every tick
 )";
 
@@ -110,18 +116,42 @@ void start_daemons() {
   }
 }
 
+std::string own_socket() {
+  const char* path = std::getenv("MATCHDAY_SOCKET");
+  if (path == nullptr) throw std::runtime_error("MATCHDAY_SOCKET is not set");
+  return path;
+}
+
+/// The other team's socket, as its environment in /proc names it; waits for that.
+std::string others_socket() {
+  const std::string name = "MATCHDAY_SOCKET=";
+  const char* game = std::getenv("HOST_TEST");  // of this test, if there are several at once
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+      std::ifstream file(entry.path() / "environ");
+      std::string found;
+      bool same_game = game == nullptr;
+      for (std::string line; std::getline(file, line, '\0');) {
+        if (line.starts_with(name)) found = line.substr(name.size());
+        same_game = same_game || line == std::string("HOST_TEST=") + game;
+      }
+      if (same_game && !found.empty() && found != own_socket()) return found;
+    }
+    ::usleep(5000);
+  }
+  throw std::runtime_error("there is no other team");
+}
+
 class Connection {
  public:
-  Connection() {
-    const char* path = std::getenv("MATCHDAY_SOCKET");
-    if (path == nullptr) throw std::runtime_error("MATCHDAY_SOCKET is not set");
+  explicit Connection(const std::string& path = own_socket()) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
-    std::strncpy(address.sun_path, path, sizeof address.sun_path - 1);
+    std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
     socket_ = ::socket(AF_UNIX, SOCK_STREAM, 0);
     void* raw = &address;
     if (::connect(socket_, static_cast<sockaddr*>(raw), sizeof address) != 0) {
-      throw std::runtime_error("cannot connect to " + std::string(path));
+      throw std::runtime_error("cannot connect to " + path);
     }
   }
 
@@ -187,6 +217,8 @@ void misbehave(const Arguments& arguments, const Connection& host, wire::proto::
     host.close();
     hang();
   }
+  if (mode == "connect-twice") static const Connection second;
+  if (mode == "intrude-late") static const Connection there(others_socket());
   if (mode == "memory") eat();
   if (mode == "burst") {
     while (true) eat();
@@ -224,6 +256,12 @@ int play(const Arguments& arguments) {
     }
   }
   if (mode == "daemons") start_daemons();
+  if (mode == "intrude") static const Connection there(others_socket());
+  if (mode == "apart" && ::fork() != 0) hang();
+  if (mode == "apart") {
+    ::setsid();
+    if (::fork() != 0) ::_exit(0);
+  }
   if (mode == "linger") ::signal(SIGTERM, SIG_IGN);
 
   Connection host;
