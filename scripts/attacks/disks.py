@@ -1,0 +1,178 @@
+"""Disks that are full, shrink, cannot be written, or lose the result folder; outputs that cannot be written."""
+import os
+import shutil
+import subprocess
+import time
+
+from . import arena as tools
+from . import night as nights
+from .row import NotPossible, Row
+from .stops import small_disk
+
+CASES = ("full", "shrinking", "read_only", "removed", "moved", "replaced", "file_instead", "verbs", "full_at_start")
+
+
+class Disks(Row):
+    name = "disks"
+    what = "full, shrinking, read-only disks; result folder removed or replaced meanwhile; every verb to /dev/full"
+    tries = 36
+    least = 9
+    seconds = 180
+
+    def prepare(self):
+        self.text = nights.design(seed=self.seed % 1000 + 4, pairs=8, limits={"free_disk": 0, "sampled": 0.5})
+        night = nights.Night(self.arena, "undisturbed", self.text)
+        ended = night.run()
+        if ended.code != 0:
+            raise RuntimeError(f"an undisturbed run ended with {ended.code}: {ended.last()}")
+        self.expected, self.table, self.length = night.games(), night.table().out, ended.seconds
+        self.undisturbed = night
+
+    def attempt(self, number, dice):
+        case = CASES[number % len(CASES)]
+        if case in ("full", "shrinking", "read_only", "full_at_start"):
+            if not self.arena.alone:
+                raise NotPossible("needs a mount namespace of its own")
+            place = self.arena.place("disk")
+            with small_disk(self.arena, place, 24):
+                wrong = getattr(self, case)(number, dice, place)
+        else:
+            wrong = getattr(self, case)(number, dice)
+        return [f"{case}: {sentence}" for sentence in wrong] + self.arena.left_over() + self.arena.temporary()
+
+    def stopped(self, night, ended):
+        """A run without room: it ends with 5 and says why; nothing in its ledger is half written."""
+        wrong = tools.answer(ended, codes=(0, 5))
+        if ended.code == 0 and not wrong:
+            return nights.same_games(night.games(), self.expected)
+        ledger = night.folder / "ledger.sqlite"
+        if not wrong and ledger.exists() and ledger.stat().st_size:
+            table = night.table("text")
+            wrong += tools.answer(table, codes=(0, 5))
+        return wrong
+
+    def whole(self, night):
+        ended, wrong = night.continued(night.run(), times=2)
+        wrong = wrong or nights.same_games(night.games(), self.expected)
+        return wrong or ([] if night.table().out == self.table else ["the table differs after continuing"])
+
+    def full(self, number, dice, place):
+        night = nights.Night(self.arena, f"disk/full-{number}", self.text)
+        runner = night.start()
+        time.sleep(dice.uniform(0.05, 0.6 * self.length))
+        fill(place, leave=dice.choice((0, 4096, 65536)))
+        ended = runner.wait(60)
+        wrong = self.stopped(night, ended)
+        (place / "filler").unlink()
+        return wrong or self.whole(night)
+
+    def full_at_start(self, number, dice, place):
+        fill(place, leave=dice.choice((0, 4096, 20000)))
+        night = nights.Night(self.arena, f"disk/start-{number}", self.text)
+        wrong = self.stopped(night, night.run(60))
+        (place / "filler").unlink()
+        return wrong or self.whole(night)
+
+    def shrinking(self, number, dice, place):
+        night = nights.Night(self.arena, f"disk/shrink-{number}", self.text)
+        runner = night.start()
+        for _ in range(8):
+            time.sleep(dice.uniform(0.02, 0.1) * self.length)
+            used = shutil.disk_usage(place).used
+            self.arena.run("mount", "-o", f"remount,size={used + dice.choice((4096, 65536, 500000))}", place)
+        ended = runner.wait(60)
+        wrong = self.stopped(night, ended)
+        self.arena.run("mount", "-o", "remount,size=24m", place)
+        return wrong or self.whole(night)
+
+    def read_only(self, number, dice, place):
+        night = nights.Night(self.arena, f"disk/read-{number}", self.text)
+        runner = night.start()
+        time.sleep(dice.uniform(0.3, 0.7) * self.length)
+        runner.send(15)
+        runner.wait(60)
+        self.arena.run("mount", "-o", "remount,ro", place)
+        wrong = tools.answer(night.run(60), codes=(0, 5))
+        for form in ("text", "json"):
+            wrong += tools.answer(night.table(form), codes=(0,))
+        self.arena.run("mount", "-o", "remount,rw", place)
+        return wrong or self.whole(night)
+
+    def meanwhile(self, number, dice, action):
+        night = nights.Night(self.arena, f"meanwhile-{number}", self.text)
+        runner = night.start()
+        night.wait_for(runner, state="running")
+        time.sleep(dice.uniform(0.1, 0.6) * self.length)
+        action(night.folder)
+        ended = runner.wait(60)
+        return night, ended
+
+    def gone(self, number, dice, action):
+        """The folder is no longer what it was: the run says so, and does not say that it is done without its games."""
+        night, ended = self.meanwhile(number, dice, action)
+        wrong = tools.answer(ended, codes=(0, 4, 5))
+        if ended.code == 0 and not wrong:
+            try:
+                wrong = nights.same_games(night.games(), self.expected)
+            except Exception as error:
+                wrong = [f"ended with 0, but there is no ledger: {error}"]
+        if night.folder.is_file():
+            night.folder.unlink()
+        return wrong
+
+    def removed(self, number, dice):
+        return self.gone(number, dice, lambda folder: shutil.rmtree(folder, ignore_errors=True))
+
+    def moved(self, number, dice):
+        moved = self.arena.folder / f"moved-{number}"
+        wrong = self.gone(number, dice, lambda folder: folder.rename(moved))
+        if wrong:
+            return wrong
+        moved_night = nights.Night(self.arena, f"moved-{number}", self.text)
+        return self.whole(moved_night)
+
+    def replaced(self, number, dice):
+        def action(folder):
+            folder.rename(self.arena.folder / f"replaced-{number}")
+            folder.mkdir()
+        return self.gone(number, dice, action)
+
+    def file_instead(self, number, dice):
+        def action(folder):
+            folder.rename(self.arena.folder / f"file-{number}")
+            folder.write_text("nothing\n")
+        return self.gone(number, dice, action)
+
+    def verbs(self, number, dice):
+        """Whoever prints to a full disk says so by its exit code."""
+        night, matchday = self.undisturbed, self.arena.matchday
+        recording, log = self.arena.folder / "verbs.replies", self.arena.folder / "verbs.log.gz"
+        teams = ["--blue", "team-reference", "--yellow", "team-chaser", "--half-length", "1"]
+        self.arena.run(matchday, "play", *teams, "--record", recording, "--log", log, addresses=0)
+        judged = self.arena.place(f"judged-{number}")
+        commands = [["play", *teams], ["play", *teams, "--json"], ["run", *night.command[2:]], ["plan", night.file],
+                    ["replay", night.folder, "base-0000-0"], ["continue", recording], ["realism"], ["--help"], ["run", "--help"],
+                    ["--version"], ["judge", night.file, "--games", "1", "--out", judged / "out"],
+                    ["bench", "--half-length", "1", "--workers", "0"]]
+        commands += [["report", night.folder, "--format", form] for form in ("text", "markdown", "csv", "json", "latex")]
+        commands = [[matchday, *words] for words in commands]
+        commands += [[self.arena.autoref, *words] for words in (["replay", log], ["replay", log, "--json"], ["calibrate", log],
+                                                               ["table"], ["positions"], ["--help"])]
+        wrong = []
+        for words in commands:
+            with open("/dev/full", "wb") as full:
+                code = subprocess.run([str(word) for word in words], stdin=subprocess.DEVNULL, stdout=full, timeout=90,
+                                      stderr=subprocess.PIPE, env={**os.environ, tools.MARK: self.arena.token}).returncode
+            if code == 0 or code < 0:
+                wrong.append(f"{words[0].name} {' '.join(str(word) for word in words[1:3])} > /dev/full ends with {code}")
+        return wrong
+
+
+def fill(place, leave):
+    """Fills a disk to the last byte but `leave`."""
+    with open(place / "filler", "wb") as stream:
+        free = shutil.disk_usage(place).free - leave
+        try:
+            os.posix_fallocate(stream.fileno(), 0, max(free, 1))
+        except OSError:
+            pass  # it was filled meanwhile

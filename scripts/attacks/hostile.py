@@ -1,0 +1,121 @@
+"""Teams that attack: the night goes on, the right one is blamed, and the other games are what they would have been."""
+import sqlite3
+import sys
+import time
+from pathlib import Path
+
+from . import arena as tools
+from . import hostile_team
+from . import night as nights
+from .row import Row
+
+PROGRAM = Path(__file__).resolve().parent / "hostile_team.py"
+LARGEST = 192 << 20  # [byte] of the result folder at any time, ours: two games' logs (4 MiB a program), replies and 60 MiB of
+                     # a team's own files each
+
+HALF = 15.0  # [s] as in the preflight of a run: both teams take a kickoff
+
+# What is no fault of the team, since it harms nobody; all else is a forfeit, and some of it either, as the isolation goes.
+HARMLESS = {"slow_connect", "slow_hello", "pauses", "lingers", "crash_at_end", "requests", "escape_name",
+            "backtick_name", "closes_output", "prints", "forks", "daemons", "hidden_daemon", "many_files"}
+EITHER = {"slow_ticks", "busy_ticks", "great_notes", "unknown_fields", "empty_commands", "same_robot", "great_name", "no_utf8_name",
+          "not_numbers", "no_such_robots", "many_processes", "fills_folder", "odd_files", "kills_other_team", "stops_other_team",
+          "kills_runner", "stops_host", "kills_all", "kills_parent", "traces_others", "visits_early", "visits_others",
+          "connects_twice", "connects_again", "removes_socket", "writes_ledger", "removes_results", "forges_ledger", "never_reads",
+          "gigabytes", "groups", "drips", "two_replies"}
+FAKES = ("flood", "burst", "memory", "gigabytes", "endless", "ignore-term", "daemons", "linger")  # of tests/fakes
+
+
+class Hostile(Row):
+    name = "hostile"
+    what = "teams that attack host, other team, runner or machine, one way each, beside an ordinary game"
+    least = 6
+    seconds = 480
+
+    def __init__(self, arena, seed):
+        super().__init__(arena, seed)
+        self.cases = [(mode, [sys.executable, str(PROGRAM), mode]) for mode in hostile_team.modes()]
+        self.cases += [("fake " + mode, ["fake-team", "--mode", mode, "--at", "40"]) for mode in FAKES]
+
+    def prepare(self):
+        night = nights.Night(self.arena, "undisturbed", self.text(["team-chaser"]))
+        ended = night.run()
+        if ended.code != 0:
+            raise RuntimeError(f"an undisturbed run ended with {ended.code}: {ended.last()}")
+        self.expected = {key: row for key, row in night.games().items() if key[0] == "quiet"}
+        self.most = 0
+
+    def text(self, hostile):
+        return nights.design(seed=self.seed % 1000 + 9, pairs=1, half_length=HALF, b={"command": ["team-reference"]}, limits={"team_memory": 256},
+                             conditions=[{"name": "hostile", "a.command": hostile, "a.name": "hostile"},
+                                         {"name": "quiet", "a.command": ["team-chaser"], "a.name": "quiet"}])
+
+    def attempt(self, number, _dice):
+        mode, command = self.chosen(self.cases, number)
+        folder = self.arena.folder / f"hostile-{number}"
+        if command[0] == sys.executable:
+            command = [*command, self.arena.token, str(folder)]
+        night = nights.Night(self.arena, folder.name, self.text(command))
+        runner = night.start()
+        until, size = time.monotonic() + 150, 0
+        while runner.running() and time.monotonic() < until:
+            size = max(size, used(folder))
+            time.sleep(0.1)
+        ended = runner.wait(max(0, until - time.monotonic()) + 0.1)
+        wrong = tools.answer(ended, codes=(0,), memory=8 << 30)
+        try:
+            wrong += self.judged(night, mode)
+        except sqlite3.Error as error:
+            wrong.append(f"the ledger: {error}")
+        if size > LARGEST:
+            wrong.append(f"the result folder held {size >> 20} MiB")
+        for form in ("text", "csv"):
+            if not wrong:
+                wrong += tools.answer(night.table(form), codes=(0,))
+        wrong += self.arena.left_over()
+        if (folder / "owned").exists() or (self.arena.folder / "owned").exists():
+            wrong.append("a name ran a command")
+        self.arena.temporary() if wrong else wrong.extend(self.arena.temporary())
+        self.most = max(self.most, size)
+        self.notes = [f"result folders of at most {self.most >> 20} MiB"]
+        return [f"{mode}: {sentence}" for sentence in wrong]
+
+    def judged(self, night, mode):
+        attempts = nights.rows(night.folder)
+        games = nights.counted(attempts)
+        wrong = nights.same_games({key: row for key, row in games.items() if key[0] == "quiet"}, self.expected)
+        for row in attempts:
+            if row["condition"] != "hostile":
+                continue
+            if row["outcome"] == "void":
+                return wrong + [f"a void game, at fault {row['at_fault']}: {row['reason'][:140]}"]
+            if row["at_fault"] not in ("nobody", row["a_colour"]):
+                return wrong + [f"the fault of {row['at_fault']}, but A was {row['a_colour']}: {row['reason'][:140]}"]
+            played = row["at_fault"] == "nobody"
+            harmless = mode in HARMLESS or mode in ("fake daemons", "fake linger")
+            if mode not in EITHER and played != harmless:
+                return wrong + [f"{'no fault' if played else 'a forfeit'}: {row['reason'][:140]}"]
+            if not played and not row["reason"]:
+                wrong.append("a forfeit without a reason")
+            if row["goals_yellow"] > 50 or row["goals_blue"] > 50:
+                wrong.append("a row of the ledger was forged")
+        if len([key for key in games if key[0] == "hostile"]) != 2:
+            wrong.append("games are missing")
+        return wrong
+
+
+def used(folder):
+    """[byte] of all files; they come and go."""
+    total = 0
+    try:
+        for path in folder.rglob("*"):
+            try:
+                total += path.lstat().st_blocks * 512
+            except OSError:
+                pass
+    except OSError:
+        pass
+    return total
+
+
+Hostile.tries = len(hostile_team.modes()) + len(FAKES)

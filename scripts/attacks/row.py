@@ -1,0 +1,111 @@
+"""One row of the table: tries of one kind, each of which can be repeated alone."""
+import random
+import shutil
+import time
+import traceback
+
+
+class NotPossible(Exception):
+    """This machine does not allow it; the row says so."""
+
+
+def broke():
+    """The attack is wrong, or the programs left something that it did not expect: a failure, too."""
+    last = traceback.format_exc().strip().splitlines()
+    places = [line.strip() for line in last if line.strip().startswith("File ")]
+    return f"the attack itself broke: {last[-1]} ({'; '.join(places[-2:])})"
+
+
+class Row:
+    """A kind of attack. `tries` and `seconds` are those of a campaign of an hour."""
+    name = ""
+    what = ""
+    tries = 1
+    least = 1  # of the shortest campaign
+    seconds = 60
+    bulk = False  # one call of attempt does `planned` of them
+
+    def __init__(self, arena, seed):
+        self.arena, self.seed = arena, seed
+        self.planned = self.tries
+        self.until = 0.0
+        self.notes = []  # measurements for the table
+
+    def prepare(self):
+        """What all tries need; nothing here counts as a try."""
+
+    def attempt(self, number, dice):
+        """One try; the sentences of what went wrong, or with `bulk` a pair of how many and those."""
+        raise NotImplementedError
+
+    def chosen(self, cases, number):
+        """The case of a try: all of a list in an order of the seed's."""
+        order = list(cases)
+        random.Random(f"{self.seed}/{self.name}/cases").shuffle(order)
+        return order[number % len(order)]
+
+    def dice(self, number):
+        return random.Random(f"{self.seed}/{self.name}/{number}")
+
+    def over(self):
+        return time.monotonic() > self.until
+
+    def guarded(self, number):
+        try:
+            return self.attempt(number, self.dice(number))
+        except NotPossible:
+            raise
+        except Exception:
+            return [broke()]
+
+    def play(self, share, only=None):
+        """@param share  of an hour
+        @param only   the number of the one try that is repeated
+        @return a line of the table, as a dictionary"""
+        begin = time.monotonic()
+        self.planned = max(self.least, min(self.tries, round(self.tries * share)))
+        # Twice the share: the tries should take one, and a row that is slow today still ends.
+        self.until = begin + max(2 * self.seconds * share, 10)
+        result = {"row": self.name, "what": self.what, "planned": self.planned, "tries": 0, "failed": 0, "failures": []}
+        self.arena.place("now")
+
+        def fail(number, sentences):
+            result["failed"] += 1
+            for sentence in sentences:
+                result["failures"].append({"try": number, "sentence": sentence,
+                                           "again": f"scripts/attack --only {self.name} --seed {self.seed} --try {number}"})
+
+        try:
+            self.prepare()
+            if self.bulk:
+                result["tries"], wrong = self.attempt(0, self.dice(0))
+                if wrong:
+                    fail(0, wrong)
+            else:
+                for number in range(self.planned) if only is None else [only]:
+                    if self.over() and number >= self.least:
+                        self.notes.append(f"time for {result['tries']} of {self.planned}")
+                        break
+                    wrong = self.guarded(number)
+                    result["tries"] += 1
+                    if wrong:
+                        fail(number, wrong)
+        except NotPossible as reason:
+            result["not_possible"] = str(reason)
+        except Exception:
+            fail(result["tries"], [broke()])
+        finally:
+            self.clean()
+        result["seconds"] = round(time.monotonic() - begin, 1)
+        result["notes"] = self.notes
+        return result
+
+    def clean(self):
+        """Ends and removes what the row has left."""
+        left = self.arena.processes()
+        self.arena.end(left)
+        self.arena.known.clear()
+        for path in self.arena.folder.iterdir():
+            if path not in (self.arena.scratch, self.arena.home):
+                shutil.rmtree(path, ignore_errors=True) if path.is_dir() and not path.is_symlink() else path.unlink()
+        self.arena.temporary()
