@@ -146,10 +146,12 @@ record::MatchRecord Match::run() {
 }
 
 void Match::start_teams() {
-  if (!config_.directory.empty()) std::filesystem::create_directories(config_.directory);
+  for (const world::Team team : world::both_teams) {
+    if (!config_.directory.empty()) std::filesystem::create_directories(log_folder(team, config_));
+  }
   // Both are tried, so that both are to blame when neither starts.
   for (const world::Team team : world::both_teams)
-    teams_[team]->start(config_.directory, options_.kept_output);
+    teams_[team]->start(config_.directory, log_folder(team, config_), options_.kept_output);
 }
 
 void Match::greet_teams() {

@@ -12,6 +12,11 @@ constexpr std::int64_t referee_interval = world::ticks_per_second / 10;  // [tic
 
 }  // namespace
 
+std::filesystem::path log_folder(world::Team team, const record::MatchConfig& config) {
+  if (config.directory.empty()) return {};
+  return std::filesystem::absolute(config.directory) / world::name(team);
+}
+
 std::string hello_frame(world::Team team, const record::MatchConfig& config, const engine::Model& model) {
   wire::proto::HostMessage message;
   wire::proto::MatchHello& hello = *message.mutable_hello();
@@ -19,8 +24,7 @@ std::string hello_frame(world::Team team, const record::MatchConfig& config, con
   hello.set_team_name(config.teams[team].name);
   hello.set_color(team == world::Team::Yellow ? matchday::simulation::YELLOW : matchday::simulation::BLUE);
   hello.set_seed(world::derived_seed(config.seed, team == world::Team::Yellow ? "team yellow" : "team blue"));
-  if (!config.directory.empty())
-    hello.set_log_directory(std::filesystem::absolute(config.directory).string());
+  if (!config.directory.empty()) hello.set_log_directory(log_folder(team, config).string());
   hello.set_rules(config.rules);
   wire::encode(model.geometry, *hello.mutable_geometry());
   for (const world::RobotSpecs& specs : model.robots[team]) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@
 #include "sim/world/referee_message.h"
 
 namespace host {
+
+/// Where a team may write: a folder of its own in the game's; empty when the game has none.
+std::filesystem::path log_folder(world::Team team, const record::MatchConfig& config);
 
 /// The hello to one team.
 std::string hello_frame(world::Team team, const record::MatchConfig& config, const engine::Model& model);

@@ -6,6 +6,8 @@
 #include <string>
 #include <system_error>
 
+#include "experiments/process/tree.h"
+
 namespace host {
 
 PrivateDirectory::PrivateDirectory() {
@@ -17,9 +19,6 @@ PrivateDirectory::PrivateDirectory() {
   path_ = name;
 }
 
-PrivateDirectory::~PrivateDirectory() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
+PrivateDirectory::~PrivateDirectory() { process::remove_tree(path_); }
 
 }  // namespace host

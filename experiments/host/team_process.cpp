@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "experiments/process/family.h"
+#include "experiments/process/tree.h"
 
 namespace host {
 namespace {
@@ -13,6 +14,8 @@ using record::Termination;
 
 // A process that closed its socket because it ends needs this long at most to be seen as ended (ours).
 constexpr auto farewell = 500ms;
+// Looking through a team's log folder may take one part in so many of our time (ours).
+constexpr int log_look_share = 50;
 
 /// The team's own words: nearly always the reason.
 std::string said(const process::Child& child) {
@@ -32,7 +35,9 @@ void TeamProcess::blame(Termination termination, const std::string& what) {
   fault_ = Fault{termination, std::string(world::name(team_)) + " (" + config_.name + ") " + what};
 }
 
-void TeamProcess::start(const std::filesystem::path& directory, std::size_t kept_output) {
+void TeamProcess::start(const std::filesystem::path& directory, const std::filesystem::path& logs,
+                        std::size_t kept_output) {
+  logs_ = logs;
   process::Command command;
   command.arguments = config_.command;
   command.directory = config_.directory;
@@ -175,14 +180,33 @@ void TeamProcess::check_limits(std::int64_t memory, std::int64_t output) {
   if (!child_ || fault_) return;
   const auto mebibytes = [](std::int64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; };
   const auto printed = static_cast<std::int64_t>(child_->output().written() + child_->output().discarded());
-  if (output > 0 && printed > output) {
-    blame(Termination::OverLimit, "printed more than " + mebibytes(output));
+  if (output > 0) {
+    check_logs(output);
+    if (printed + logged_ > output) {
+      blame(Termination::OverLimit,
+            (logged_ > 0 ? "printed and wrote more than " : "printed more than ") + mebibytes(output));
+    }
   }
   if (memory == 0) return;
   const std::int64_t held = process::family_memory(child_->pid());
   if (held > memory) {
     blame(Termination::OverLimit,
           "held " + mebibytes(held) + " of memory, " + mebibytes(memory) + " are allowed");
+  }
+}
+
+void TeamProcess::check_logs(std::int64_t output) {
+  const Patience::Clock::time_point begin = Patience::Clock::now();
+  if (logs_.empty() || begin < next_log_look_) return;
+  const process::TreeSize size = process::tree_size(logs_);
+  logged_ = size.bytes;
+  const Patience::Clock::time_point now = Patience::Clock::now();
+  next_log_look_ = now + log_look_share * (now - begin);
+  if (!size.whole && logged_ <= output) {
+    const process::TreeBounds bounds;
+    blame(Termination::OverLimit, "left more than " + std::to_string(bounds.entries) +
+                                      " files, or folders deeper than " + std::to_string(bounds.depth) +
+                                      ", in its log folder");
   }
 }
 
@@ -204,6 +228,8 @@ void TeamProcess::end(const std::string& reason, std::chrono::milliseconds grace
   channel_.reset();
   // Also whoever has left its process group; each knows its directory from its environment.
   process::end_started_with(family().mark);
+  std::error_code ignored;
+  if (!logs_.empty()) std::filesystem::remove(logs_, ignored);  // only when it is empty
 }
 
 }  // namespace host

@@ -54,8 +54,10 @@ class TeamProcess {
 
   /// Starts the program, its output going to a file in `directory` unless that is empty; NotStarted when that
   /// fails.
+  /// @param logs         where the team may write; empty: nowhere. Removed at the end when it is empty.
   /// @param kept_output  [bytes] of what it prints
-  void start(const std::filesystem::path& directory, std::size_t kept_output);
+  void start(const std::filesystem::path& directory, const std::filesystem::path& logs,
+             std::size_t kept_output);
 
   /// From now on it has so long for what it is waited for; see Patience.
   void allow(std::chrono::milliseconds span, Patience::Clock::time_point now) { patience_.begin(span, now); }
@@ -87,7 +89,8 @@ class TeamProcess {
   /// Empties the pipe of its standard output.
   void drain();
 
-  /// OverLimit when its processes hold more memory, or have printed more, than that [bytes]; 0: any amount.
+  /// OverLimit when its processes hold more memory, or have printed and written more, than that [bytes]; 0:
+  /// any amount.
   void check_limits(std::int64_t memory, std::int64_t output);
 
   /// Says goodbye, gives it `grace` to leave, and ends what is left of it.
@@ -102,6 +105,7 @@ class TeamProcess {
  private:
   Family family() const;
   void admit(int socket);
+  void check_logs(std::int64_t output);
   void note_gone();  // it closed the channel or ended: why?
   bool waited_enough(record::Termination termination, const std::string& what);  // blames it when so
 
@@ -112,6 +116,9 @@ class TeamProcess {
   TeamProcess* opponent_ = nullptr;
   bool let_in_by_saying_ = false;  // who plays is of the team by its environment alone
   int strangers_ = 0;
+  std::filesystem::path logs_;
+  std::int64_t logged_ = 0;  // [bytes] in that folder
+  Patience::Clock::time_point next_log_look_{};
   std::optional<process::Child> child_;
   std::optional<Channel> channel_;
   std::span<const std::byte> payload_;  // of the last frame, in the channel's memory

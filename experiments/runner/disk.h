@@ -9,7 +9,7 @@ namespace runner {
 /// that a strange file system does not stop a run.
 std::int64_t free_bytes(const std::filesystem::path& folder);
 
-/// Bytes of all files below a folder.
+/// Bytes of all files below a folder; links are not followed, and holes do not count.
 std::int64_t size_of(const std::filesystem::path& folder);
 
 }  // namespace runner

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <thread>
 
+#include "experiments/process/tree.h"
 #include "experiments/record/ledger.h"
 
 namespace runner {
@@ -50,14 +51,14 @@ fs::path ResultFolder::game(const std::string& id, int attempt) const {
 
 void ResultFolder::forget_game(const std::string& id, int attempt) const {
   std::error_code ignored;  // a leftover file is no reason to end a night
-  fs::remove_all(game(id, attempt), ignored);
+  process::remove_tree(game(id, attempt));
   fs::remove(path_ / "games" / id, ignored);  // these two only when they are empty
   fs::remove(path_ / "games", ignored);
 }
 
 void ResultFolder::forget_audit(const std::string& id) const {
   std::error_code ignored;
-  fs::remove_all(audit(id), ignored);
+  process::remove_tree(audit(id));
   fs::remove(path_ / "audits", ignored);
 }
 

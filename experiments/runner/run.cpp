@@ -9,6 +9,7 @@
 
 #include "experiments/process/family.h"
 #include "experiments/process/program.h"
+#include "experiments/process/tree.h"
 #include "experiments/record/ledger.h"
 #include "experiments/runner/auditor.h"
 #include "experiments/runner/breaker.h"
@@ -293,8 +294,7 @@ class Run {
       }
       if (!finding.sentence.empty()) progress_.say(finding.sentence);
     }
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_.preflight(), ignored);
+    process::remove_tree(folder_.preflight());
     return true;
   }
 

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "experiments/process/tree.h"
 #include "experiments/record/ledger.h"
 
 namespace runner {
@@ -28,10 +29,9 @@ bool is_ours(const fs::path& path) {
 }  // namespace
 
 Scratch::Scratch(fs::path note) : note_(std::move(note)) {
-  std::error_code ignored;
   std::string before;
   if (std::ifstream stream(note_); std::getline(stream, before) && is_ours(before)) {
-    fs::remove_all(before, ignored);
+    process::remove_tree(before);
   }
   std::string name = fs::temp_directory_path().string() + "/";
   name += prefix;
@@ -46,7 +46,7 @@ Scratch::Scratch(fs::path note) : note_(std::move(note)) {
 
 Scratch::~Scratch() {
   std::error_code ignored;
-  fs::remove_all(path_, ignored);
+  process::remove_tree(path_);
   fs::remove(note_, ignored);
 }
 

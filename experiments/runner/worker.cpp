@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "experiments/process/family.h"
+#include "experiments/process/tree.h"
 #include "experiments/runner/job_files.h"
 
 namespace runner {
@@ -34,7 +35,7 @@ std::string text(std::chrono::milliseconds span) {
 
 process::Child start(std::vector<std::string> command, const WorkerLimits& limits, const Job& job,
                      const Place& place) {
-  fs::remove_all(place.folder);  // of an attempt that was cut short
+  process::remove_tree(place.folder);  // of an attempt that was cut short
   fs::create_directories(place.folder);
   std::vector<std::pair<std::string, std::string>> environment = {
       {game_variable, place.folder.string() + "/"}};
@@ -168,8 +169,7 @@ record::MatchRecord Worker::fault(const std::string& reason) const {
 
 record::Attempt Worker::attempt(record::MatchRecord record) {
   strays_ = process::end_started_with(game_variable + ("=" + place_.folder.string() + "/"));
-  std::error_code ignored;  // the run's end removes what is left
-  if (!place_.scratch.empty()) fs::remove_all(place_.scratch, ignored);
+  if (!place_.scratch.empty()) process::remove_tree(place_.scratch);  // the run's end removes what is left
   record::Attempt attempt = attempt_of(job_);
   attempt.record = std::move(record);
   attempt.started = place_.started;

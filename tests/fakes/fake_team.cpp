@@ -1,7 +1,9 @@
 // A team that misbehaves in one way, to see that the host notices, says so, and goes on.
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -62,6 +64,9 @@ constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK]
   intrude       connects to the other team's socket before its own, where it then plays
   intrude-late  connects to the other team's socket at TICK
   apart         plays in a process that is in no group, session or family of the one that was started
+  writes        writes 64 MiB to a file in its log folder every tick
+  litters       makes folders in folders in its log folder, a hundred every tick
+  mess          leaves links, a pipe, a file with holes and folders without rights in its log folder
   gigabytes     prints 64 MiB to standard output every tick
 )";
 
@@ -104,6 +109,30 @@ void crash() {
 void eat() {
   static std::vector<std::string> eaten;
   eaten.emplace_back(std::size_t{64} << 20, 'x');
+}
+
+/// Things that must not trouble whoever counts, keeps or removes them.
+void leave_mess(const std::string& folder) {
+  std::filesystem::create_symlink("/etc/passwd", folder + "/link");
+  std::filesystem::create_directory_symlink("/", folder + "/root");
+  std::filesystem::create_directory_symlink(folder, folder + "/circle");
+  ::mkfifo((folder + "/pipe").c_str(), 0600);
+  std::ofstream(folder + "/holes") << "x";
+  std::filesystem::resize_file(folder + "/holes", std::uintmax_t{1} << 40);
+  std::filesystem::create_directories(folder + "/closed/inner");
+  ::chmod((folder + "/closed/inner").c_str(), 0);
+  ::chmod((folder + "/closed").c_str(), 0);
+}
+
+/// A hundred folders more, each in the one before.
+void litter(const std::string& folder) {
+  static int at = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY);
+  for (int i = 0; i < 100; ++i) {
+    ::mkdirat(at, "deeper", 0700);
+    const int next = ::openat(at, "deeper", O_RDONLY | O_DIRECTORY);
+    ::close(at);
+    at = next;
+  }
 }
 
 /// Two processes that are in no group, session or family of ours.
@@ -294,6 +323,11 @@ int play(const Arguments& arguments) {
           std::numeric_limits<float>::quiet_NaN());
     }
     if (mode == "gigabytes") std::cout << std::string(std::size_t{64} << 20, '.') << std::flush;
+    if (mode == "writes") {
+      std::ofstream(hello.log_directory() + "/big", std::ios::app) << std::string(std::size_t{64} << 20, '.');
+    }
+    if (mode == "litters") litter(hello.log_directory());
+    if (mode == "mess" && tick == 1) leave_mess(hello.log_directory());
     if (mode == "slow") ::usleep(1000);
     if (mode == "chatter") std::cout << std::string(20'000, '.') << std::flush;
     if (tick >= arguments.at) misbehave(arguments, host, to_host);

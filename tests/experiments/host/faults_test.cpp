@@ -12,6 +12,7 @@
 #include <iterator>
 
 #include "experiments/host/play.h"
+#include "experiments/process/tree.h"
 #include "tests/fakes/games.h"
 
 namespace host {
@@ -251,6 +252,32 @@ TEST_F(Faults, KeepsOfTheOutputWhatItIsTold) {
   EXPECT_GE(std::filesystem::file_size(config.directory / "blue.log"), 1U << 20);
   EXPECT_LT(std::filesystem::file_size(config.directory / "blue.log"), (1U << 20) + (64U << 10));
   std::filesystem::remove_all(config.directory);
+}
+
+TEST_F(Faults, FillsItsLogFolder) {
+  auto config = fakes::short_game("good", "writes");
+  config.directory =
+      std::filesystem::temp_directory_path() / ("matchday-writes-" + std::to_string(::getpid()));
+  options_.output_limit = std::int64_t{256} << 20;
+  expect_blue(play(config, options_), Termination::OverLimit, "printed and wrote more than 256 MiB");
+  process::remove_tree(config.directory);
+  options_.output_limit = std::int64_t{1} << 30;
+  config.teams.blue.command = fakes::fake_team("litters");
+  expect_blue(play(config, options_), Termination::OverLimit,
+              "left more than 10000 files, or folders deeper");
+  process::remove_tree(config.directory);
+  EXPECT_FALSE(std::filesystem::exists(config.directory));
+}
+
+TEST_F(Faults, StrangeFilesOfATeamTroubleNobody) {
+  auto config = fakes::short_game("good", "mess");
+  config.directory = std::filesystem::temp_directory_path() / ("matchday-mess-" + std::to_string(::getpid()));
+  const auto record = play(config, options_);
+  EXPECT_EQ(record.termination, Termination::Finished) << record.reason;
+  EXPECT_TRUE(std::filesystem::exists(std::filesystem::symlink_status(config.directory / "blue" / "link")));
+  EXPECT_FALSE(std::filesystem::exists(config.directory / "yellow")) << "it was empty";
+  process::remove_tree(config.directory);
+  EXPECT_FALSE(std::filesystem::exists(config.directory));
 }
 
 TEST_F(Faults, ATeamThatStandsStillIsNoGameForAnExperiment) {
