@@ -95,7 +95,7 @@ void LastToucher::update(const world::TrackedFrame& frame, std::span<const world
   const double airborne = std::max(frame.ball->airborne, flew ? params_.flies_on : 0.0);
   const Sighting& now = (*view)[0];
   if (!visit_ && now.gap < params_.visit) {
-    visit_.emplace();
+    visit_.emplace(Visit{});  // clang: emplace() does not see the defaults of a nested class
     visit_->begin = now.time;
     visit_->before = belief_;
     visit_->course = view->course;

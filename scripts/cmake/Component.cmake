@@ -17,7 +17,8 @@ target_compile_options(project_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual
   -ffp-contract=off                                   # fused multiply-add would make results depend on the machine
   -ffile-prefix-map=${PROJECT_SOURCE_DIR}=.           # a binary must not depend on where it was built
-  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)         # lets ccache look into precompiled headers
+  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>          # lets ccache look into precompiled headers
+  "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")  # as does this
 
 # Sanitizers concern every target, the generated message code too: instrumented and plain containers must not mix.
 add_library(sanitizers INTERFACE)
