@@ -17,7 +17,7 @@ FORMATS = ("text", "markdown", "csv", "json", "latex")
 CASES = ("design", "ledger", "branch", "program", "flags", "design", "folder", "ledger", "temporary", "condition", "said", "branch")
 MARKS = ("owned", "owned2")
 EVIL = ("`touch owned`", "$(touch owned)", "${IFS}`touch${IFS}owned`", "\";touch owned;\"", "';touch owned;'", "|touch owned", "&& touch owned",
-        "\\\"`touch owned`", "@{[system('touch owned')]}", "$(system \"touch owned\")", "\\input{/etc/passwd}", "\\write18{touch owned}",
+        "\\\"`touch owned`", "@{[system('touch owned')]}", "$(system \"touch owned\")", "\\input{/etc/passwd}", "\\write18{touch owned}", "x\n\\input{/etc/passwd}",
         "<script>alert(1)</script>", "\"><img src=x onerror=alert(1)>", "\x1b]0;owned\x07", "\x1b[2J", "\x9b2J", "a\nb", "a\rb", "a\tb", "\x7f",
         "-", "--help", "..", "../../owned", "/", "%s%n%n%n", "\u202eevil", "n" * 5000, "{0}", "=cmd|' /C calc'!A0", "\ufeff", "'", "\\", "{/Symbol a}",
         "^x_y", "a\u0000b")
@@ -60,7 +60,7 @@ class Names(Row):
         for form in FORMATS:
             ended, more = self.run(matchday, "report", folder, "--format", form)
             wrong += more
-            if form == "latex" and re.search(rb"\\(input|write18)\b", ended.out):
+            if form == "latex" and re.search(rb"^[^%\n]*\\(input|write18)\b", ended.out, re.M):
                 wrong.append("a name is a command of LaTeX")
         for words in (["--html"], ["--figures", self.place / "figures"]):
             wrong += self.run(matchday, "report", folder, *words)[1]
