@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/host/cell.h"
 #include "sim/engine/realism.h"
 #include "sim/world/rules/rule_set.h"
 
@@ -132,10 +133,10 @@ record::MatchRecord Match::run() {
     record.termination = Termination::HarnessFault;
     record.at_fault = record::Party::Harness;
     record.reason = slow.sentence;
-  } catch (const ClaimedTwice& claim) {
+  } catch (const NobodysFault& fault) {
     record.termination = Termination::HarnessFault;
     record.at_fault = record::Party::Harness;
-    record.reason = claim.sentence;
+    record.reason = fault.sentence;
   } catch (const Overlong&) {
     record.termination = Termination::Overlong;
     record.reason =
@@ -151,7 +152,8 @@ void Match::start_teams() {
   }
   // Both are tried, so that both are to blame when neither starts.
   for (const world::Team team : world::both_teams)
-    teams_[team]->start(config_.directory, log_folder(team, config_), options_.kept_output);
+    teams_[team]->start({config_.directory, log_folder(team, config_), options_.kept_output,
+                         cell_of(team, config_, options_)});
 }
 
 void Match::greet_teams() {

@@ -2,11 +2,14 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "autoref/referee/referee.h"
 #include "experiments/host/stopwatch.h"
+#include "experiments/process/isolation.h"
 #include "experiments/record/match_config.h"
 #include "experiments/record/match_record.h"
 #include "sim/engine/engine.h"
@@ -29,6 +32,11 @@ struct Options {
   std::int64_t memory_limit = std::int64_t{2} << 30;  ///< [bytes] resident, looked at every 0.1 s
   std::int64_t output_limit = std::int64_t{1} << 30;  ///< [bytes] printed
   std::size_t kept_output = std::size_t{4} << 20;     ///< [bytes] of what a team prints, in its log
+
+  // What the teams see of the machine; all paths absolute.
+  process::Isolation isolation = process::Isolation::None;
+  std::vector<std::filesystem::path> hidden;   ///< folders that no isolated team sees: where results are
+  std::vector<std::filesystem::path> visible;  ///< what every isolated team sees of home and temporary folder
 
   bool explain = false;  ///< calls come with their evidence
 

@@ -17,6 +17,9 @@ constexpr auto farewell = 500ms;
 // Looking through a team's log folder may take one part in so many of our time (ours).
 constexpr int log_look_share = 50;
 
+// What bubblewrap says of a program with a missing interpreter, or for another kind of machine.
+constexpr const char* cannot_execute = "bwrap: execvp ";
+
 /// The team's own words: nearly always the reason.
 std::string said(const process::Child& child) {
   const std::string line = child.output().last_line();
@@ -35,16 +38,21 @@ void TeamProcess::blame(Termination termination, const std::string& what) {
   fault_ = Fault{termination, std::string(world::name(team_)) + " (" + config_.name + ") " + what};
 }
 
-void TeamProcess::start(const std::filesystem::path& directory, const std::filesystem::path& logs,
-                        std::size_t kept_output) {
-  logs_ = logs;
+void TeamProcess::start(const Start& how) {
+  logs_ = how.logs;
   process::Command command;
   command.arguments = config_.command;
   command.directory = config_.directory;
   command.environment = {{socket_variable, listener_.path().string()}};
   command.expendable = true;
-  command.output_limit = kept_output;
-  if (!directory.empty()) command.output = directory / (std::string(world::name(team_)) + ".log");
+  command.output_limit = how.kept_output;
+  if (!how.directory.empty()) command.output = how.directory / (std::string(world::name(team_)) + ".log");
+  isolated_ = how.cell.level != process::Isolation::None;
+  if (isolated_) {
+    command.cell = how.cell;
+    command.cell->visible.push_back(directory_.path());
+    if (opponent_ != nullptr) command.cell->hidden.push_back(opponent_->directory_.path());
+  }
   try {
     child_.emplace(command);
   } catch (const process::StartError& error) {
@@ -94,7 +102,7 @@ void TeamProcess::admit(int socket) {
   switch (who) {
     case Whose::Own:
       if (let_in_by_saying_) {
-        throw ClaimedTwice{"a process that had left the others of " + std::string(world::name(team_)) + " (" +
+        throw NobodysFault{"a process that had left the others of " + std::string(world::name(team_)) + " (" +
                            config_.name +
                            ") plays, and one of them connected, too: isolation tells them apart"};
       }
@@ -119,10 +127,20 @@ void TeamProcess::note_gone() {
     blame(Termination::Closed, "closed the channel before the game was over");
     return;
   }
-  if (const auto used = process::usage(child_->pid())) usage_ = *used;
+  usage_ = child_->usage();
   const process::Exit exit = child_->stop(0ms);
   usage_.user_seconds = exit.user_seconds;
   usage_.system_seconds = exit.system_seconds;
+  if (!exit.began) {
+    const std::string problem = child_->output().last_line();
+    if (!problem.starts_with(cannot_execute)) {
+      throw NobodysFault{std::string(world::name(team_)) + " (" + config_.name +
+                         ") could not be isolated: " + problem};
+    }
+    blame(Termination::NotStarted, "did not start: program '" + config_.command.front() +
+                                       "' cannot be executed" + problem.substr(problem.rfind(": ")));
+    return;
+  }
   const char* when = channel_ ? " before the game was over" : " before it connected";
   blame(exit.clean() ? Termination::Closed : Termination::Crashed, exit.describe() + when + said(*child_));
 }
@@ -187,6 +205,7 @@ void TeamProcess::check_limits(std::int64_t memory, std::int64_t output) {
             (logged_ > 0 ? "printed and wrote more than " : "printed more than ") + mebibytes(output));
     }
   }
+  if (isolated_) child_->usage();  // what it has used is not known when it has ended
   if (memory == 0) return;
   const std::int64_t held = process::family_memory(child_->pid());
   if (held > memory) {
@@ -212,7 +231,7 @@ void TeamProcess::check_logs(std::int64_t output) {
 
 void TeamProcess::end(const std::string& reason, std::chrono::milliseconds grace) {
   if (!child_) return;
-  if (const auto used = process::usage(child_->pid())) usage_ = *used;  // before it may leave
+  usage_ = child_->usage();  // before it may leave
   if (channel_) {
     wire::proto::HostMessage goodbye;
     goodbye.mutable_goodbye()->set_reason(reason);

@@ -32,8 +32,8 @@ struct MachineTooSlow {
   std::string sentence;
 };
 
-/// Two processes say they are one team, and nobody can tell which is: nobody's fault but ours.
-struct ClaimedTwice {
+/// Something that no team did, or nobody can tell which.
+struct NobodysFault {
   std::string sentence;
 };
 
@@ -52,12 +52,15 @@ class TeamProcess {
   /// Whom it plays: who must not come to its socket.
   void meets(TeamProcess& opponent) { opponent_ = &opponent; }
 
-  /// Starts the program, its output going to a file in `directory` unless that is empty; NotStarted when that
-  /// fails.
-  /// @param logs         where the team may write; empty: nowhere. Removed at the end when it is empty.
-  /// @param kept_output  [bytes] of what it prints
-  void start(const std::filesystem::path& directory, const std::filesystem::path& logs,
-             std::size_t kept_output);
+  /// How it is started.
+  struct Start {
+    std::filesystem::path directory;  ///< for a file with what it prints; empty: none
+    std::filesystem::path logs;  ///< where it may write; empty: nowhere. Removed at the end when it is empty
+    std::size_t kept_output;     ///< [bytes] of what it prints
+    process::Cell cell;          ///< what it sees, apart from its socket
+  };
+  /// Starts the program; NotStarted when that fails.
+  void start(const Start& how);
 
   /// From now on it has so long for what it is waited for; see Patience.
   void allow(std::chrono::milliseconds span, Patience::Clock::time_point now) { patience_.begin(span, now); }
@@ -65,7 +68,7 @@ class TeamProcess {
   void count_time(Patience::Clock::time_point now);
 
   // These wait, within what was allowed; beyond it is a fault.
-  // They throw MachineTooSlow when the team could not run.
+  // They throw MachineTooSlow when the team could not run, NobodysFault when its cell could not be made.
   /// Waits for its connection. Only a process of the team is let in.
   void accept(const Idle& while_waiting);
   /// Writes one frame.
@@ -77,7 +80,7 @@ class TeamProcess {
 
   /// Closes what else was connected to its socket, and blames the team whose process did it.
   ///
-  /// @throws ClaimedTwice when it is the team's own, but who plays has only said to be
+  /// @throws NobodysFault when it is the team's own, but who plays has only said to be
   void refuse_visitors();
   /// How many connections of others, neither its own nor the opponent's processes, were refused.
   int strangers() const { return strangers_; }
@@ -116,6 +119,7 @@ class TeamProcess {
   TeamProcess* opponent_ = nullptr;
   bool let_in_by_saying_ = false;  // who plays is of the team by its environment alone
   int strangers_ = 0;
+  bool isolated_ = false;
   std::filesystem::path logs_;
   std::int64_t logged_ = 0;  // [bytes] in that folder
   Patience::Clock::time_point next_log_look_{};

@@ -13,17 +13,21 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 #include <string_view>
 #include <system_error>
+#include <thread>
+
+#include "experiments/process/family.h"
 
 namespace process {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// KILL takes microseconds; a process that waits for a dead network disk must not hold us up (ours).
+constexpr std::chrono::seconds cell_patience{2};
 constexpr int pipe_bytes = 1 << 20;                        // the most an ordinary user may ask for (pipe(7))
 constexpr std::size_t drain_bytes = std::size_t{1} << 20;  // one pipe full, so that a flood cannot hold us
 
@@ -105,6 +109,8 @@ struct Prepared {
   const char* directory = nullptr;  // null: stay
   const cpu_set_t* cpus = nullptr;  // null: as inherited
   bool expendable = false;
+  bool session = false;  // of its own, so that no terminal is near
+  int kept = -1;         // a file that is passed on
   pid_t parent = -1;
   int input = -1;
   int output = -1;
@@ -118,7 +124,7 @@ struct Prepared {
 }
 
 [[noreturn]] void become(const Prepared& prepared) {
-  if (::setpgid(0, 0) != 0) give_up(prepared, Step::Group);
+  if ((prepared.session ? ::setsid() : ::setpgid(0, 0)) < 0) give_up(prepared, Step::Group);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != prepared.parent) give_up(prepared, Step::ParentGone);  // it ended before the line above
 
@@ -147,8 +153,17 @@ struct Prepared {
   }
   // Whatever else is open here is not the child's business, also what somebody opened without O_CLOEXEC.
   ::syscall(SYS_close_range, 3U, ~0U, 4U /* CLOSE_RANGE_CLOEXEC */);
+  if (prepared.kept >= 0) ::fcntl(prepared.kept, F_SETFD, 0);
   ::execve(prepared.program, prepared.arguments, prepared.environment);
   give_up(prepared, Step::Exec);
+}
+
+void add(const rusage& used, Exit& exit) {
+  const auto seconds = [](const timeval& span) {
+    return static_cast<double>(span.tv_sec) + static_cast<double>(span.tv_usec) * 1e-6;
+  };
+  exit.user_seconds += seconds(used.ru_utime);
+  exit.system_seconds += seconds(used.ru_stime);
 }
 
 std::chrono::milliseconds left_until(Clock::time_point deadline) {
@@ -164,42 +179,17 @@ std::string Exit::describe() const {
   return "was ended by signal " + std::to_string(number) + " (" + (text != nullptr ? text : "unknown") + ")";
 }
 
-std::optional<Usage> usage(pid_t process) {
-  const std::string folder = "/proc/" + std::to_string(process);
-  std::ifstream status(folder + "/status");
-  Usage result;
-  bool found = false;
-  for (std::string line; std::getline(status, line);) {
-    if (line.rfind("VmHWM:", 0) != 0) continue;
-    std::istringstream(line.substr(6)) >> result.peak_memory;
-    result.peak_memory *= 1024;  // proc(5): "kB", meaning KiB
-    found = true;
-  }
-  if (!found) return std::nullopt;
-
-  // Fields 14 and 15, utime and stime, in clock ticks; the name in field 2 may hold anything, so start behind
-  // it.
-  std::ifstream stat(folder + "/stat");
-  std::string text;
-  std::getline(stat, text);
-  const std::size_t name_end = text.rfind(')');
-  if (name_end == std::string::npos) return std::nullopt;
-  std::istringstream fields(text.substr(name_end + 1));
-  std::string skipped;
-  for (int field = 3; field < 14; ++field) fields >> skipped;
-  double user = 0;
-  double system = 0;
-  fields >> user >> system;
-  const auto clock_ticks = static_cast<double>(::sysconf(_SC_CLK_TCK));
-  result.user_seconds = user / clock_ticks;
-  result.system_seconds = system / clock_ticks;
-  return result;
-}
-
 Child::Child(const Command& command) : log_(command.output, command.output_limit) {
   if (command.arguments.empty()) throw StartError("the command of a program is empty");
-  const std::string program = find_program(command.arguments.front(), command.directory).string();
+  std::string program = find_program(command.arguments.front(), command.directory).string();
   std::vector<std::string> arguments = command.arguments;
+  std::optional<Pipe> status;
+  if (command.cell && command.cell->level != Isolation::None) {
+    status.emplace();
+    arguments = isolated_command(*command.cell, status->write_end, program, arguments, command.directory);
+    program = arguments.front();
+    adopt_orphans();  // see read_status()
+  }
   std::vector<std::string> environment = whole_environment(command);
   const std::vector<char*> argument_pointers = pointers(arguments);
   const std::vector<char*> environment_pointers = pointers(environment);
@@ -220,6 +210,8 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
   prepared.directory = directory.empty() ? nullptr : directory.c_str();
   prepared.cpus = command.cpu >= 0 ? &cpus : nullptr;
   prepared.expendable = command.expendable;
+  prepared.session = status.has_value();
+  prepared.kept = status ? status->write_end : -1;
   prepared.parent = ::getpid();
   prepared.input = null_input;
   prepared.output = output.write_end;
@@ -231,7 +223,7 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
   ::close(null_input);
   if (pid_ < 0)
     throw StartError("program '" + command.arguments.front() + "': cannot fork: " + error_text(fork_error));
-  ::setpgid(pid_, pid_);  // whoever comes first; fails harmlessly after the exec
+  if (!status) ::setpgid(pid_, pid_);  // whoever comes first; fails harmlessly after the exec
 
   Pipe::close_end(output.write_end);
   Pipe::close_end(report.write_end);
@@ -256,6 +248,11 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
   ::fcntl(output.read_end, F_SETFL, O_NONBLOCK);
   ::fcntl(output.read_end, F_SETPIPE_SZ, pipe_bytes);  // a wish; smaller works too
   output_fd_ = std::exchange(output.read_end, -1);
+  if (status) {
+    Pipe::close_end(status->write_end);
+    status_fd_ = std::exchange(status->read_end, -1);
+    ::fcntl(status_fd_, F_SETFL, O_NONBLOCK);
+  }
 }
 
 Child::Child(Child&& other) noexcept
@@ -263,6 +260,8 @@ Child::Child(Child&& other) noexcept
       pid_(std::exchange(other.pid_, -1)),
       exit_fd_(std::exchange(other.exit_fd_, -1)),
       output_fd_(std::exchange(other.output_fd_, -1)),
+      status_fd_(std::exchange(other.status_fd_, -1)),
+      used_(other.used_),
       exit_(std::exchange(other.exit_, std::nullopt)) {}
 
 Child::~Child() {
@@ -305,21 +304,63 @@ void Child::reap() {
   rusage used{};
   while (::wait4(pid_, &status, 0, &used) < 0 && errno == EINTR) {
   }
-  const auto seconds = [](const timeval& span) {
-    return static_cast<double>(span.tv_sec) + static_cast<double>(span.tv_usec) * 1e-6;
-  };
   Exit exit;
   exit.signalled = WIFSIGNALED(status);
   exit.number = exit.signalled ? WTERMSIG(status) : WEXITSTATUS(status);
-  exit.user_seconds = seconds(used.ru_utime);
-  exit.system_seconds = seconds(used.ru_stime);
+  add(used, exit);
+  if (isolated()) read_status(exit);
   exit_ = exit;
+}
+
+// Bubblewrap ends with the program's code, or 128 and the number of its signal as a shell says it. Only when
+// the program was executed does it report that.
+void Child::read_status(Exit& exit) {
+  std::array<char, 4096> buffer;
+  const ssize_t count = ::read(status_fd_, buffer.data(), buffer.size());
+  const std::string text(buffer.data(), count > 0 ? static_cast<std::size_t>(count) : 0);
+  exit.began = exit.signalled || text.find("\"exit-code\"") != std::string::npos;
+  if (!exit.signalled && exit.began && exit.number > 128 && exit.number < 128 + NSIG) {
+    exit.signalled = true;
+    exit.number -= 128;
+  }
+  // The first process of the cell is an orphan now and came to us; with it everything in the cell has ended.
+  constexpr std::string_view key = "\"child-pid\": ";
+  const std::size_t found = text.find(key);
+  if (found == std::string::npos) return;
+  const auto first = static_cast<pid_t>(std::strtol(text.c_str() + found + key.size(), nullptr, 10));
+  rusage used{};
+  for (const Clock::time_point until = Clock::now() + cell_patience; Clock::now() < until;) {
+    const pid_t reaped = ::wait4(first, nullptr, WNOHANG, &used);
+    if (reaped != 0) {
+      if (reaped == first) add(used, exit);
+      break;
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds{200});
+  }
+  exit.user_seconds = std::max(exit.user_seconds, used_.user_seconds);
+  exit.system_seconds = std::max(exit.system_seconds, used_.system_seconds);
+}
+
+const Usage& Child::usage() {
+  if (exit_) return used_;
+  if (const auto now = isolated() ? family_usage(pid_) : process::usage(pid_)) {
+    used_.user_seconds = std::max(used_.user_seconds, now->user_seconds);
+    used_.system_seconds = std::max(used_.system_seconds, now->system_seconds);
+    used_.peak_memory = std::max(used_.peak_memory, now->peak_memory);
+  }
+  return used_;
 }
 
 Exit Child::stop(std::chrono::milliseconds grace) {
   if (exit_) return *exit_;
+  if (!has_ended()) usage();
   if (grace.count() > 0 && !has_ended()) {
-    ::kill(-pid_, SIGTERM);
+    // Bubblewrap itself would take it for its own, and everything away at once.
+    if (isolated()) {
+      signal_descendants(pid_, SIGTERM);
+    } else {
+      ::kill(-pid_, SIGTERM);
+    }
     wait(grace);
   }
   // Until it is reaped its number cannot name another group, so this reaches what it left behind and nobody
@@ -331,6 +372,8 @@ Exit Child::stop(std::chrono::milliseconds grace) {
   exit_fd_ = -1;
   if (output_fd_ >= 0) ::close(output_fd_);
   output_fd_ = -1;
+  if (status_fd_ >= 0) ::close(status_fd_);
+  status_fd_ = -1;
   return *exit_;
 }
 

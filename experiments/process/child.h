@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/process/isolation.h"
 #include "experiments/process/output_log.h"
 #include "experiments/process/program.h"
 
@@ -25,10 +26,12 @@ struct Command {
   std::size_t output_limit = std::size_t{4} << 20;  ///< [bytes] of that file
   int cpu = -1;                                     ///< the only one to run on; -1: as we do
   bool expendable = false;                          ///< the first to go when the machine is out of memory
+  std::optional<Cell> cell{};                       ///< what it sees; nothing: what we see
 };
 
 /// How a process ended, and what it used.
 struct Exit {
+  bool began = true;  ///< false: it could not be started in its cell, and the last printed line says why
   bool signalled = false;
   int number = 0;  ///< exit code, or the signal's number
   // Processor time [s] of it and the children it has waited for.
@@ -48,6 +51,9 @@ struct Usage {
 };
 /// Nothing when there is no such process any more.
 std::optional<Usage> usage(pid_t process);
+/// Of a process and all its descendants, those included that have ended and were waited for; of their memory
+/// that of the largest.
+std::optional<Usage> family_usage(pid_t process);
 
 /// One child process with its own process group, ended with everything in that group at the latest by the
 /// destructor.
@@ -83,13 +89,21 @@ class Child {
 
   const OutputLog& output() const { return log_; }
 
+  /// What it has used so far, of a program in a cell with all its processes; the last that was known when it
+  /// has ended.
+  const Usage& usage();
+
  private:
+  bool isolated() const { return status_fd_ >= 0; }
   void reap();
+  void read_status(Exit& exit);
 
   OutputLog log_;
   pid_t pid_ = -1;
   int exit_fd_ = -1;    // pidfd, readable when the child has ended
   int output_fd_ = -1;  // our end of its standard output and error
+  int status_fd_ = -1;  // of a program in a cell: how it ended, as bubblewrap says
+  Usage used_;
   std::optional<Exit> exit_;
 };
 

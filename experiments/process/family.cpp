@@ -57,16 +57,6 @@ std::vector<pid_t> children_of(pid_t process) {
   return children;
 }
 
-/// A process and its descendants.
-std::vector<pid_t> family_of(pid_t process) {
-  std::vector<pid_t> members = {process};
-  for (std::size_t i = 0; i < members.size() && i < most_members; ++i) {
-    const std::vector<pid_t> children = children_of(members[i]);
-    members.insert(members.end(), children.begin(), children.end());
-  }
-  return members;
-}
-
 /// Adds what the thread with that folder in /proc has done.
 void add_thread(const std::string& folder, Activity& sum) {
   std::ifstream stream(folder + "/stat");
@@ -172,6 +162,26 @@ Activity family_activity(pid_t process) {
     for (const pid_t thread : numbers_in(tasks)) add_thread(tasks + "/" + std::to_string(thread), sum);
   }
   return sum;
+}
+
+std::vector<pid_t> family_of(pid_t process) {
+  std::vector<pid_t> members = {process};
+  for (std::size_t i = 0; i < members.size() && i < most_members; ++i) {
+    const std::vector<pid_t> children = children_of(members[i]);
+    members.insert(members.end(), children.begin(), children.end());
+  }
+  return members;
+}
+
+void signal_descendants(pid_t process, int signal) {
+  for (const pid_t member : family_of(process)) {
+    if (member == process) continue;
+    const int handle = static_cast<int>(::syscall(SYS_pidfd_open, member, 0U));
+    if (handle < 0) continue;
+    // Looked up again, since the number may have been given to another meanwhile.
+    if (descends_from(member, process)) ::syscall(SYS_pidfd_send_signal, handle, signal, nullptr, 0U);
+    ::close(handle);
+  }
 }
 
 bool descends_from(pid_t process, pid_t ancestor) {

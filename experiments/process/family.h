@@ -33,6 +33,12 @@ std::int64_t resident_memory(pid_t process);
 /// The same of a process and all its descendants together; shared pages count in each of them.
 std::int64_t family_memory(pid_t process);
 
+/// A process and its descendants, itself first.
+std::vector<pid_t> family_of(pid_t process);
+
+/// Sends a signal to all descendants of a process, not to itself.
+void signal_descendants(pid_t process, int signal);
+
 /// Whether a process is `ancestor` or descends from it by living parents.
 bool descends_from(pid_t process, pid_t ancestor);
 

@@ -24,6 +24,7 @@
 
 #include "sim/wire/delimited.h"
 #include "sim/wire/match.h"
+#include "tests/fakes/trespass.h"
 
 namespace {
 
@@ -67,6 +68,7 @@ constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK]
   writes        writes 64 MiB to a file in its log folder every tick
   litters       makes folders in folders in its log folder, a hundred every tick
   mess          leaves links, a pipe, a file with holes and folders without rights in its log folder
+  trespass      tries at TICK to reach what is not its own, and prints what it could (trespass.h)
   gigabytes     prints 64 MiB to standard output every tick
 )";
 
@@ -248,6 +250,9 @@ void misbehave(const Arguments& arguments, const Connection& host, wire::proto::
   }
   if (mode == "connect-twice") static const Connection second;
   if (mode == "intrude-late") static const Connection there(others_socket());
+  if (mode == "trespass" && message.reply().tick() == arguments.at) {
+    fakes::Trespass().try_all(std::filesystem::read_symlink("/proc/self/exe"));
+  }
   if (mode == "memory") eat();
   if (mode == "burst") {
     while (true) eat();
