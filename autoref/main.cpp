@@ -8,11 +8,22 @@
 #include "autoref/automaton/pictures.h"
 #include "autoref/calibrate_log.h"
 #include "autoref/replay.h"
+#include "sim/console/printable.h"
+#include "sim/console/standard_output.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+int complain(const std::string& sentence) {
+  std::cerr << "ssl-autoref: " << console::printable(sentence) << std::endl;
+  return 2;
+}
+
+int ssl_autoref(int argc, char** argv) {
   using autoref::ReplayOptions;
   CLI::App app("ssl-autoref: what can be told of a recorded game: the referee's calls, a realism preset");
   app.require_subcommand(1);
+  app.footer(
+      "\nExit codes: 0 done; 2 bad input; 74 standard output cannot be written; 141 its reader has gone.");
 
   ReplayOptions options;
   CLI::App* replay = app.add_subcommand(
@@ -46,16 +57,14 @@ int main(int argc, char** argv) {
 
   const std::vector<std::string_view> known = {"replay", "calibrate", "automaton", "positions"};
   if (argc > 1 && argv[1][0] != '-' && std::ranges::find(known, argv[1]) == known.end()) {
-    std::cerr << "ssl-autoref: unknown command '" << argv[1]
-              << "'; known are: replay, calibrate, automaton, positions\n";
-    return 2;
+    return complain("unknown command '" + std::string(argv[1]) +
+                    "'; known are: replay, calibrate, automaton, positions");
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help
-    std::cerr << "ssl-autoref: " << error.what() << " (ssl-autoref --help shows what is known)\n";
-    return 2;
+    return complain(std::string(error.what()) + " (ssl-autoref --help shows what is known)");
   }
   try {
     if (*table) {
@@ -69,7 +78,12 @@ int main(int argc, char** argv) {
     if (*calibrate) return autoref::calibrate_log(calibration, std::cout, std::cerr);
     return autoref::replay(options, std::cout, std::cerr);
   } catch (const std::exception& error) {
-    std::cerr << "ssl-autoref: " << error.what() << '\n';
-    return 2;
+    return complain(error.what());
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return console::run_program("ssl-autoref", [&] { return ssl_autoref(argc, argv); });
 }

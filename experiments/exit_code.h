@@ -13,7 +13,8 @@ enum ExitCode : int {
   h0_accepted = 10,      ///< run, compare: the sequential test says that A is not better
   undecided = 11,        ///< run, compare: neither decision nor precision when all games were played
   internal = 70,         ///< a mistake in matchday itself (sysexits.h, EX_SOFTWARE)
-  signal_base = 128,     ///< plus the signal's number: 130 after Ctrl-C, 143 after TERM
+  // 74 and 141: console::ExitCode
+  signal_base = 128,  ///< plus the signal's number: 130 after Ctrl-C, 143 after TERM
 };
 
 }  // namespace commands

@@ -12,6 +12,8 @@
 #include "experiments/exit_code.h"
 #include "experiments/record/ledger.h"
 #include "experiments/schedule/design.h"
+#include "sim/console/printable.h"
+#include "sim/console/standard_output.h"
 
 namespace {
 
@@ -21,8 +23,8 @@ constexpr const char* footer = R"(
 Exit codes: 0 done, of a sequential test: A is better; 1 replay: the game went differently; 2 bad input; 3 run: the
 teams cannot play, says the short game before the first one; 4 too many void games, or play: the game ended by a
 fault; 5 trouble with a result folder; 10 sequential test: A is not better; 11 undecided when all games were
-played; 70 a mistake in matchday itself; 129, 130 and 143 interrupted by HUP, Ctrl-C and TERM (run: the same command
-continues).)";
+played; 70 a mistake in matchday itself; 74 standard output cannot be written; 129, 130 and 143 interrupted by HUP,
+Ctrl-C and TERM (run: the same command continues); 141 whoever read standard output has gone.)";
 constexpr const char* short_footer = "\nExit codes: matchday --help tells them.";
 
 const CLI::Range robot_number(0, 15);
@@ -278,7 +280,7 @@ void check_flags(const CLI::App& app, int argc, char** argv) {
 }
 
 int complain(const std::string& sentence, ExitCode code) {
-  std::cerr << "matchday: " << sentence << std::endl;
+  std::cerr << "matchday: " << console::printable(sentence) << std::endl;
   return code;
 }
 
@@ -351,9 +353,8 @@ int matchday(int argc, char** argv) {
   return commands::run(run);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The same with every failure as one sentence.
+int guarded(int argc, char** argv) {
   try {
     return matchday(argc, argv);
   } catch (const record::StorageError& error) {
@@ -367,4 +368,10 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return complain(std::string("internal error: ") + error.what(), ExitCode::internal);
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return console::run_program("matchday", [&] { return guarded(argc, argv); });
 }

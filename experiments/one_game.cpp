@@ -15,9 +15,11 @@ OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls, bo
   OneGame game;
   runner::Signals signals;
   options.cpu = ::sched_getcpu();
-  options.interrupted = [&] {
+  options.interrupted = [&, calls] {
     if (!game.signal) game.signal = signals.wait(std::chrono::milliseconds{0});
-    return game.signal.has_value();
+    // Whoever read the calls has gone or the disk is full: without a file to be written, nobody wants the rest.
+    const bool told = calls == nullptr || calls->good() || config.log || config.recording;
+    return game.signal.has_value() || !told;
   };
   options.explain = explain;
   if (calls != nullptr) {

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/console/printable.h"
+#include "sim/console/standard_output.h"
 #include "sim/server/program.h"
 
 namespace {
@@ -28,7 +30,8 @@ protocol by UDP. Only programs on this machine are served unless --interface nam
                                            address show their frames in one picture, and neither can notice.
 
 The protocol, error codes and limits: sim/server/README.md. Exit codes: 0 ended by --duration, Ctrl-C or TERM;
-2 bad input or an address that cannot be used; 70 a mistake in ssl-sim itself.)";
+2 bad input or an address that cannot be used; 70 a mistake in ssl-sim itself; 74 standard output cannot be
+written; 141 its reader has gone.)";
 
 /// CLI11 would take a negative number for a very large one.
 std::string not_negative(const std::string& word) {
@@ -47,9 +50,12 @@ void check_flags(const CLI::App& app, int argc, char** argv) {
   }
 }
 
-}  // namespace
+int complain(const std::string& sentence, int code) {
+  std::cerr << "ssl-sim: " << console::printable(sentence) << std::endl;
+  return code;
+}
 
-int main(int argc, char** argv) {
+int ssl_sim(int argc, char** argv) {
   server::Options options;
   CLI::App app("ssl-sim: the simulator in real time on the network, for teams of the RoboCup SSL");
   app.set_version_flag("--version", "ssl-sim " MATCHDAY_VERSION);
@@ -86,11 +92,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return app.exit(success);  // --help, --version
   } catch (const CLI::ParseError& error) {
-    std::cerr << "ssl-sim: " << error.what() << "; see ssl-sim --help\n";
-    return 2;
+    return complain(std::string(error.what()) + "; see ssl-sim --help", 2);
   } catch (const std::invalid_argument& error) {
-    std::cerr << "ssl-sim: " << error.what() << '\n';
-    return 2;
+    return complain(error.what(), 2);
   }
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
@@ -98,13 +102,16 @@ int main(int argc, char** argv) {
     server::run(options, stop, std::cout, std::cerr);
     return 0;
   } catch (const std::runtime_error& error) {
-    std::cerr << "ssl-sim: " << error.what() << '\n';
-    return 2;
+    return complain(error.what(), 2);
   } catch (const std::invalid_argument& error) {
-    std::cerr << "ssl-sim: " << error.what() << '\n';
-    return 2;
+    return complain(error.what(), 2);
   } catch (const std::exception& error) {
-    std::cerr << "ssl-sim: a mistake in the program: " << error.what() << '\n';
-    return 70;
+    return complain(std::string("a mistake in the program: ") + error.what(), 70);
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return console::run_program("ssl-sim", [&] { return ssl_sim(argc, argv); });
 }

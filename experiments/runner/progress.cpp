@@ -5,6 +5,9 @@
 #include <cstdio>
 #include <ostream>
 
+#include "sim/console/printable.h"
+#include "sim/console/standard_output.h"
+
 namespace runner {
 namespace {
 
@@ -81,7 +84,7 @@ void Progress::ended(const record::Attempt& attempt, std::size_t resolved, Clock
   } else if (terminal_) {
     say(what);
   } else {
-    out_ << what << "; " << line(now) << std::endl;
+    out_ << console::printable(what) << "; " << line(now) << std::endl;
   }
 }
 
@@ -90,16 +93,16 @@ void Progress::tick(std::size_t running, Clock::time_point now) {
   drawn_ = now;
   std::string text = line(now) + printed(" | %zu running", running);
   if (text.size() > widest) text.replace(widest - 3, std::string::npos, "...");
-  out_ << "\r\033[K" << text << std::flush;
+  out_ << console::clear_line << text << std::flush;
 }
 
 void Progress::clear() {
-  if (terminal_) out_ << "\r\033[K" << std::flush;
+  if (terminal_) out_ << console::clear_line << std::flush;
 }
 
 void Progress::say(const std::string& sentence) {
   clear();
-  out_ << sentence << std::endl;
+  out_ << console::printable(sentence) << std::endl;
   drawn_ = {};
 }
 
