@@ -80,6 +80,14 @@ struct Pipe {
   }
 };
 
+struct OpenFile {
+  int file = -1;
+  explicit OpenFile(int opened) : file(opened) {}
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() { ::close(file); }
+};
+
 std::vector<std::string> whole_environment(const Command& command) {
   std::vector<std::string> all;
   for (char** entry = environ; *entry != nullptr; ++entry) {
@@ -114,6 +122,7 @@ struct Prepared {
   pid_t parent = -1;
   int input = -1;
   int output = -1;
+  int errors = -1;
   int report = -1;
 };
 
@@ -148,7 +157,7 @@ struct Prepared {
     give_up(prepared, Step::Cpu);
   }
   if (::dup2(prepared.input, STDIN_FILENO) < 0 || ::dup2(prepared.output, STDOUT_FILENO) < 0 ||
-      ::dup2(prepared.output, STDERR_FILENO) < 0) {
+      ::dup2(prepared.errors, STDERR_FILENO) < 0) {
     give_up(prepared, Step::Output);
   }
   // Whatever else is open here is not the child's business, also what somebody opened without O_CLOEXEC.
@@ -200,8 +209,13 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
 
   Pipe output;
   Pipe report;
-  const int null_input = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
-  if (null_input < 0) throw StartError("cannot open /dev/null: " + error_text(errno));
+  const auto opened = [](const char* path, int mode) {
+    const int file = ::open(path, mode | O_CLOEXEC);
+    if (file < 0) throw StartError("cannot open " + std::string(path) + ": " + error_text(errno));
+    return OpenFile(file);
+  };
+  const OpenFile input = opened(command.input.empty() ? "/dev/null" : command.input.c_str(), O_RDONLY);
+  const OpenFile nowhere = opened("/dev/null", O_WRONLY);
 
   Prepared prepared;
   prepared.program = program.c_str();
@@ -213,14 +227,14 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
   prepared.session = status.has_value();
   prepared.kept = status ? status->write_end : -1;
   prepared.parent = ::getpid();
-  prepared.input = null_input;
+  prepared.input = input.file;
   prepared.output = output.write_end;
+  prepared.errors = command.errors_apart ? nowhere.file : output.write_end;
   prepared.report = report.write_end;
 
   pid_ = ::fork();
   if (pid_ == 0) become(prepared);
   const int fork_error = errno;
-  ::close(null_input);
   if (pid_ < 0)
     throw StartError("program '" + command.arguments.front() + "': cannot fork: " + error_text(fork_error));
   if (!status) ::setpgid(pid_, pid_);  // whoever comes first; fails harmlessly after the exec

@@ -22,6 +22,8 @@ struct Command {
   std::vector<std::string> arguments;  ///< the first names the program, see find_program()
   std::vector<std::pair<std::string, std::string>> environment;  ///< added to ours, or in place of ours
   std::filesystem::path directory;                               ///< to work in; empty: ours
+  std::filesystem::path input{};                                 ///< file for standard input; empty: none
+  bool errors_apart = false;                                     ///< standard error is thrown away
   std::filesystem::path output;                     ///< file for standard output and error; empty: none
   std::size_t output_limit = std::size_t{4} << 20;  ///< [bytes] of that file
   int cpu = -1;                                     ///< the only one to run on; -1: as we do
@@ -58,8 +60,9 @@ std::optional<Usage> family_usage(pid_t process);
 /// One child process with its own process group, ended with everything in that group at the latest by the
 /// destructor.
 ///
-/// The child dies with us (PR_SET_PDEATHSIG), reads nothing on standard input, inherits no other open file,
-/// and writes into a pipe that drain() copies to a log of limited size. Only this child is ever waited for.
+/// The child dies with us (PR_SET_PDEATHSIG), reads what it is given on standard input, inherits no other
+/// open file, and writes into a pipe that drain() copies to a log of limited size. Only this child is ever
+/// waited for.
 class Child {
  public:
   /// @throws StartError naming the program and the cause
