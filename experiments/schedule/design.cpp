@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include "experiments/schedule/names.h"
 #include "experiments/schedule/nearest.h"
 #include "experiments/schedule/run_reader.h"
 #include "experiments/schedule/team_reader.h"
@@ -19,19 +19,11 @@ namespace {
 
 constexpr std::int64_t most_pairs = 100'000;  // ours: two hundred thousand games are some weeks of a laptop
 constexpr std::int64_t most_forfeit_goals = 100;
-constexpr std::size_t most_conditions = 1'000;  // ours: a grid of more is a slip of the pen
+constexpr std::size_t most_conditions = 1'000;              // ours: a grid of more is a slip of the pen
+constexpr std::size_t longest_description = 10'000;         // [bytes] ours: some pages of text
+constexpr std::size_t largest_file = std::size_t{1} << 20;  // [bytes] ours: the largest design here has 3 kB
 
 constexpr std::string_view only_condition = "base";
-
-constexpr const char* name_hint = "use letters, digits, '-', '_' and '.' only, since it names files";
-
-bool names_files(const std::string& name) {
-  const auto usual = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || c == '.';
-  };
-  return !name.empty() && name.front() != '.' && std::all_of(name.begin(), name.end(), usual);
-}
 
 template <class Names>
 std::string listed(const Names& names) {
@@ -93,7 +85,7 @@ Condition read_condition(TomlTable& table, const Setting& setting, const Design&
   condition.realism = design.realism;
   const auto name = table.text("name");
   if (!name) table.missing("name", "give every condition and sweep a name of its own");
-  if (!names_files(*name)) table.reject("name", name_hint);
+  check_file_name(table, "name", *name);
   condition.name = *name;
   change_team(table, "a", a, setting.most_robots);
   change_team(table, "b", b, setting.most_robots);
@@ -111,6 +103,11 @@ void add_condition(const TomlTable& table, const std::string& key, Condition con
     if (other.name == condition.name) {
       table.reject(key, "another condition has the name '" + condition.name + "' already");
     }
+  }
+  if (condition.name.size() > longest_name) {  // made of a sweep's or panel's name and its values
+    table.reject(key, "makes a condition whose name has " + std::to_string(condition.name.size()) +
+                          " characters, '" + condition.name.substr(0, longest_name) + "...'; at most " +
+                          std::to_string(longest_name) + " are possible");
   }
   if (design.conditions.size() >= most_conditions) {
     table.reject(key, "makes more than " + std::to_string(most_conditions) + " conditions");
@@ -180,8 +177,9 @@ void read_panel(TomlTable& root, const Setting& setting, Design& design) {
   std::vector<Team> teams;
   for (TomlTable& table : *opponents) {
     Team team = read_team(table, setting.most_robots);
+    if (table.has("name")) check_file_name(table, "name", team.config.name);
     if (!names_files(team.config.name))
-      table.has("name") ? table.reject("name", name_hint) : table.missing("name", name_hint);
+      table.missing("name", "use letters, digits, '-', '_' and '.' only, since it names files");
     teams.push_back(std::move(team));
   }
   panel->finish();
@@ -248,9 +246,15 @@ std::string text_of(const std::filesystem::path& file, const std::string& wanted
   if (!stream || std::filesystem::is_directory(file)) {
     throw std::invalid_argument(file.string() + ": cannot be read; give the path of " + wanted);
   }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  std::string text(largest_file + 1, '\0');  // of a file without end, as /dev/zero, too
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) throw std::invalid_argument(file.string() + ": cannot be read to its end");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > largest_file) {
+    throw std::invalid_argument(file.string() + ": has more than " + std::to_string(largest_file >> 20) +
+                                " MiB; give the path of " + wanted);
+  }
+  return text;
 }
 
 }  // namespace
@@ -262,9 +266,12 @@ Design parse_design(const std::string& text, const std::string& file, const Chec
 
   const auto name = root.text("name");
   if (!name) root.missing("name", "give the experiment a name, as name = \"first-night\"");
-  if (!names_files(*name)) root.reject("name", name_hint);
+  check_file_name(root, "name", *name);
   design.name = *name;
   design.description = root.text("description").value_or("");
+  if (design.description.size() > longest_description) {
+    root.reject("description", "has more than " + std::to_string(longest_description) + " bytes");
+  }
   if (const auto seed = root.integer("seed")) {
     if (*seed < 0) root.reject("seed", "must not be negative");
     design.seed = static_cast<std::uint64_t>(*seed);

@@ -1,6 +1,7 @@
 #include "experiments/schedule/run_reader.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/schedule/nearest.h"
@@ -87,8 +88,15 @@ void read_hypotheses(TomlTable& table, Stopping& stopping) {
                  "h0 must be below h1, as 0 and 0.2: h1 says by how much A is better, in standard deviations "
                  "of a game");
   }
-  read_number(table, "alpha", Range::OpenShare, 0.5, stopping.alpha);
-  read_number(table, "beta", Range::OpenShare, 0.5, stopping.beta);
+  constexpr double least_distance = 1e-3;  // ours: between nearer ones no test decides within most_pairs
+  if (stopping.h1 - stopping.h0 < least_distance) {
+    table.reject(table.has("h1") ? "h1" : "h0", "h1 must be above h0 by at least 0.001");
+  }
+  constexpr double least_chance = 1e-6;  // ours: nobody plays so many games that it could be seen
+  for (const auto& [key, value] : {std::pair{"alpha", &stopping.alpha}, std::pair{"beta", &stopping.beta}}) {
+    read_number(table, key, Range::OpenShare, 0.5, *value);
+    if (*value < least_chance) table.reject(key, "must be at least 0.000001");
+  }
   double clip = 0;
   read_number(table, "clip", Range::Positive, 100, clip);
   if (clip > 0 && stopping.metric == Metric::Points) table.reject("clip", "is for the goal difference only");
@@ -108,6 +116,11 @@ Stopping read_stopping(TomlTable& root, int pairs) {
   stopping.rule = *rule;
   if (stopping.rule == StopRule::Precision) read_precision(*table, stopping);
   if (stopping.rule == StopRule::Sequential) read_hypotheses(*table, stopping);
+  if (stopping.rule != StopRule::Fixed && pairs < 2) {
+    table->reject("rule",
+                  "needs at least two pairs, since one has no spread; give pairs = 2 or more, or leave out "
+                  "[stopping]");
+  }
   if (stopping.rule != StopRule::Fixed) {
     if (stopping.minimum_pairs > pairs) stopping.minimum_pairs = pairs;
     read_integer(*table, "minimum_pairs", 2, pairs, stopping.minimum_pairs);

@@ -4,6 +4,8 @@
 #include <stdexcept>
 
 #include "experiments/schedule/command_line.h"
+#include "experiments/schedule/names.h"
+#include "sim/console/printable.h"
 #include "sim/world/robot_id.h"
 
 namespace schedule {
@@ -23,9 +25,14 @@ void read_command(TomlTable& table, const std::string& key, std::vector<std::str
   }
 }
 
-std::string not_empty(TomlTable& table, const std::string& key) {
+/// An argument for git: it must not be read as an option, and has its place in a line of a file.
+std::string git_word(TomlTable& table, const std::string& key) {
   const auto text = table.text(key);
   if (text && text->empty()) table.reject(key, "must not be empty");
+  if (text && text->front() == '-') {
+    table.reject(key, "must not begin with '-', which git takes for an option");
+  }
+  if (text && console::printable(*text) != *text) table.reject(key, "must not have control characters");
   return text.value_or("");
 }
 
@@ -39,8 +46,12 @@ void read_source(TomlTable& table, Team& team) {
     }
   }
   // Also when there is no source: they are keys a team may have.
-  const std::string repository = not_empty(table, "repository");
-  const std::string revision = not_empty(table, "revision");
+  const std::string repository = git_word(table, "repository");
+  const std::string revision = git_word(table, "revision");
+  if (repository.find("::") != std::string::npos) {
+    table.reject("repository",
+                 "must be a path or an address; with '::' git would run a program of that name");
+  }
   const auto build = table.text("build");
   if (table.has("run") && table.has("command"))
     table.reject("command", "give either command or run, not both");
@@ -88,8 +99,7 @@ void read_over(TomlTable& table, Team& team, std::size_t most_robots) {
     table.reject("command", "this team is built from git; give its command as run = \"...\"");
   }
   if (const auto name = table.text("name")) {
-    if (name->empty() || name->find('\n') != std::string::npos)
-      table.reject("name", "must be one line of text");
+    check_team_name(table, "name", *name);
     config.name = *name;
   }
   read_robots(table, config, most_robots);
@@ -131,14 +141,14 @@ Team read_team(TomlTable& table, std::size_t most_robots) {
     if (team.source->revision.empty()) table.missing("revision", "give a branch, tag or commit");
     if (team.config.command.empty())
       table.missing("run", "as run = \"build/my-team\", seen from the checkout");
-    if (team.config.name.empty()) team.config.name = team.source->revision;
+    if (team.config.name.empty()) team.config.name = console::shortened(team.source->revision, longest_name);
   }
   if (team.config.command.empty()) {
     table.missing("command",
                   "as command = [\"team-reference\"]; or give repository, revision, build and run");
   }
   if (team.config.name.empty()) {
-    team.config.name = usual_name(team.config.command);
+    team.config.name = console::shortened(console::printable(usual_name(team.config.command)), longest_name);
   }
   table.finish();
   return team;

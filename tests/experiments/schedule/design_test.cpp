@@ -400,14 +400,15 @@ TEST(CanonicalDesign, KnowsATeamFromGitByItsCommitNotByWhereItIs) {
 }
 
 TEST(CanonicalDesign, HasTheStoppingRuleButNoLimitThatDecidesNoGame) {
-  const std::string base = canonical(parse_design(head + teams, "n"));
-  EXPECT_EQ(canonical(parse_design(head + teams + "[limits]\nsilence = 5\n", "n")), base);
-  EXPECT_NE(canonical(parse_design(head + teams + "[limits]\nteam_memory = 5\n", "n")), base);
-  EXPECT_EQ(canonical(parse_design(head + teams + "[stopping]\nrule = \"fixed\"\n", "n")), base);
+  const std::string two = "name = \"n\"\npairs = 2\n";
+  const std::string base = canonical(parse_design(two + teams, "n"));
+  EXPECT_EQ(canonical(parse_design(two + teams + "[limits]\nsilence = 5\n", "n")), base);
+  EXPECT_NE(canonical(parse_design(two + teams + "[limits]\nteam_memory = 5\n", "n")), base);
+  EXPECT_EQ(canonical(parse_design(two + teams + "[stopping]\nrule = \"fixed\"\n", "n")), base);
   const std::string rule = "[stopping]\nrule = \"sequential\"\n";
-  const std::string sequential = canonical(parse_design(head + teams + rule, "n"));
+  const std::string sequential = canonical(parse_design(two + teams + rule, "n"));
   EXPECT_NE(sequential, base);
-  EXPECT_NE(canonical(parse_design(head + teams + rule + "metric = \"points\"\n", "n")), sequential);
+  EXPECT_NE(canonical(parse_design(two + teams + rule + "metric = \"points\"\n", "n")), sequential);
 }
 
 TEST(Design, ThatIsNoFileIsNamed) {

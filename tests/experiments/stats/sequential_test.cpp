@@ -324,5 +324,16 @@ TEST(ExpectedCourse, GivesWaldsLengths) {
   EXPECT_NEAR(expected_course(plan, 0.0501).pairs, expected_course(plan, 0.05).pairs, 0.1) << "no seam";
 }
 
+// With an effect near 0 the deviation that fulfils it lies between two steps of the search.
+TEST(MultinomialLlr, IsANumberAlsoWhenAHundredThousandPairsWentTheSameWay) {
+  for (std::size_t kind = 0; kind < 5; ++kind) {
+    for (const double t : {-0.0042, -0.0029, 0.0013, 0.0028, 0.0059, 0.1, 2.8}) {
+      Pentanomial counts{};
+      counts.at(kind) = 9e4;
+      EXPECT_TRUE(std::isfinite(multinomial_llr(counts, Hypotheses{0, t}))) << kind << " " << t;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stats
