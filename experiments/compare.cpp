@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -12,10 +13,12 @@
 #include "experiments/builds/git.h"
 #include "experiments/commands.h"
 #include "experiments/host/play.h"
+#include "experiments/process/whole_file.h"
 #include "experiments/record/json_text.h"
 #include "experiments/record/ledger.h"
 #include "experiments/runner/result_folder.h"
 #include "experiments/schedule/design.h"
+#include "experiments/schedule/names.h"
 #include "experiments/start.h"
 
 namespace commands {
@@ -78,7 +81,11 @@ std::vector<std::string> lines_of(const std::string& text) {
 /// The games a design of ours asks for.
 int games_of(const std::vector<std::string>& design) {
   for (const std::string& line : design) {
-    if (line.starts_with(games_key)) return std::stoi(line.substr(std::string(games_key).size()));
+    if (!line.starts_with(games_key)) continue;
+    int games = 0;
+    const std::string number = line.substr(std::string(games_key).size());
+    std::from_chars(number.data(), number.data() + number.size(), games);
+    return games;
   }
   return 0;
 }
@@ -99,10 +106,7 @@ std::string difference(const std::vector<std::string>& there, const std::vector<
 void write_design(const fs::path& file, const std::string& text) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
-  std::ofstream stream(file, std::ios::trunc);
-  stream << text;
-  stream.close();
-  if (error || !stream) throw record::StorageError(file.string() + ": cannot be written");
+  process::write_whole(file, text);
 }
 
 /// Throws away what a run left that came to no game. Holds the folder meanwhile: perhaps a run is at its
@@ -159,6 +163,7 @@ int compare(const CompareOptions& options) {
     throw std::invalid_argument("--team-repo " + options.repository +
                                 ": give a clone on this machine; a design file takes addresses too");
   }
+  check_temporary_folder(Games::OfWorkers);
   if (options.base.find('\n') != std::string::npos || options.next.find('\n') != std::string::npos) {
     throw std::invalid_argument("a revision must be one line");
   }
@@ -168,7 +173,8 @@ int compare(const CompareOptions& options) {
   }
   const std::string base = builds::commit_of(options.repository, options.base, "team B");
   const std::string next = builds::commit_of(options.repository, options.next, "team A");
-  const std::string name = file_word("compare-" + options.base + "-" + options.next);
+  const std::string name =
+      file_word("compare-" + options.base + "-" + options.next).substr(0, schedule::longest_name);
 
   RunOptions run_options = options.run_options;
   if (run_options.out.empty()) {

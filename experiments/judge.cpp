@@ -17,12 +17,14 @@
 #include "experiments/judge/net/namespace.h"
 #include "experiments/judge/tables.h"
 #include "experiments/process/child.h"
+#include "experiments/process/whole_file.h"
 #include "experiments/record/ledger.h"
 #include "experiments/runner/manifest.h"
 #include "experiments/runner/program_files.h"
 #include "experiments/runner/result_folder.h"
 #include "experiments/runner/signals.h"
 #include "experiments/schedule/schedule.h"
+#include "experiments/start.h"
 #include "sim/wire/match.h"
 
 namespace commands {
@@ -50,13 +52,6 @@ std::string read(const fs::path& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
-}
-
-void write(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file);
-  stream << text;
-  stream.flush();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
 }
 
 std::string shell_line(const std::vector<std::string>& words) {
@@ -194,7 +189,7 @@ class Judging {
     fs::create_directories(folder_ / "games");
     const fs::path file = folder_ / "experiment";
     if (!fs::exists(file)) {
-      write(file, identity + "\n");
+      process::write_whole(file, identity + "\n");
       runner::write_manifest(folder_ / "manifest.json",
                              {identity, design, files, options.version, protocol, options.command_line});
     } else if (read(file) != identity + "\n") {
@@ -209,7 +204,7 @@ class Judging {
     judge::Job its{id(n), games_[n].config, shadows_};
     if (!keep_.empty()) its.keep = keep_ / recording(n);
     if (!again_.empty()) its.again = again_ / recording(n);
-    write(job, judge::to_json(its));
+    process::write_whole(job, judge::to_json(its));
     process::Command command;
     command.arguments = {own_program(), "judge-game", job.string(), result_file(n).string()};
     command.output = folder_ / "games" / (id(n) + ".log");
@@ -255,10 +250,11 @@ constexpr const char* words =
 
 void write_tables(const fs::path& folder, const std::vector<judge::Failure>& failures,
                   const std::vector<judge::Table>& tables, const std::string& intro) {
-  write(folder / "judge.md", intro + words + judge::as_markdown(tables));
-  write(folder / "judge.json", judge::as_json(tables));
-  for (const judge::Table& table : tables) write(folder / (table.name + ".csv"), judge::as_csv(table));
-  write(folder / "failures.csv", judge::as_csv(failures));
+  process::write_whole(folder / "judge.md", intro + words + judge::as_markdown(tables));
+  process::write_whole(folder / "judge.json", judge::as_json(tables));
+  for (const judge::Table& table : tables)
+    process::write_whole(folder / (table.name + ".csv"), judge::as_csv(table));
+  process::write_whole(folder / "failures.csv", judge::as_csv(failures));
 }
 
 // The cases that failed, and how to see the first of each kind again.
@@ -333,6 +329,7 @@ int show(const schedule::Design& design, const JudgeOptions& options) {
 }  // namespace
 
 int judge(const JudgeOptions& options) {
+  if (options.again.empty()) check_temporary_folder(Games::Here);
   const schedule::Design design = schedule::read_design(options.design, host::check_realism);
   for (std::size_t i = 0; i < design.conditions.size(); ++i) {
     host::check(schedule::game(design, 2 * i).config);

@@ -140,6 +140,7 @@ Speed calibrate(schedule::Design& design, const std::filesystem::path& folder) {
 }  // namespace
 
 int plan(const PlanOptions& options) {
+  check_temporary_folder(Games::Here);
   schedule::Design design = checked_design(options.design);
   std::filesystem::path folder = options.from;
   if (folder.empty() && std::filesystem::exists(usual_folder(design) / "ledger.sqlite"))

@@ -67,6 +67,7 @@ int play(const PlayOptions& options) {
 }
 
 int tell_one_game(const record::MatchConfig& config, bool json, bool explain) {
+  check_temporary_folder(Games::Here);
   host::check(config);
   check_output("--log", config.log, ".log");
   check_output("--record", config.recording, ".replies");

@@ -10,6 +10,7 @@
 #include "experiments/runner/audit.h"
 #include "experiments/runner/program_files.h"
 #include "experiments/schedule/schedule.h"
+#include "experiments/start.h"
 #include "experiments/tell.h"
 
 namespace commands {
@@ -69,6 +70,7 @@ int compare(const record::MatchRecord& again, const record::Attempt& attempt, bo
 }  // namespace
 
 int replay(const ReplayOptions& options) {
+  check_temporary_folder(Games::Here);
   Experiment experiment = read_experiment(options.folder);
   if (!options.recorded) builds::prepare(experiment.design, options.folder / "builds", std::cerr);
   const schedule::Game game = schedule::find_game(experiment.design, options.game);

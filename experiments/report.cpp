@@ -1,11 +1,10 @@
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/experiment.h"
-#include "experiments/record/ledger.h"
+#include "experiments/process/whole_file.h"
 #include "experiments/report/figures.h"
 #include "experiments/report/formats.h"
 #include "experiments/report/html.h"
@@ -23,10 +22,7 @@ void write_figures(const report::Summary& summary, const std::filesystem::path& 
     throw std::invalid_argument("there is no figure yet: no condition has a complete pair");
   for (const report::Figure& figure : figures) {
     const std::filesystem::path file = folder / (figure.name + ".svg");
-    std::ofstream stream(file, std::ios::trunc);
-    stream << report::drawn(figure);
-    stream.close();
-    if (!stream) throw record::StorageError(file.string() + ": cannot be written; is the disk full?");
+    process::write_whole(file, report::drawn(figure));
     std::cout << file.string() << "  " << figure.caption << "\n";
   }
 }

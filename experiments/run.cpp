@@ -52,6 +52,7 @@ std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe
 }  // namespace
 
 int run(const RunOptions& options) {
+  check_temporary_folder(Games::OfWorkers);
   schedule::Design design = checked_design(options.design);
 
   runner::RunOptions settings;

@@ -1,14 +1,21 @@
 #include "experiments/start.h"
 
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 #include "experiments/host/play.h"
 #include "experiments/record/ledger.h"
 #include "experiments/runner/program_files.h"
 #include "experiments/schedule/schedule.h"
+#include "sim/console/printable.h"
 
 namespace commands {
 
@@ -52,6 +59,28 @@ void check_result_folder(const std::filesystem::path& folder, const std::filesys
                                "' and no results; give a new folder, so that results do not mix with other "
                                "things");
   }
+}
+
+void check_temporary_folder(Games games) {
+  // Their names: host::PrivateDirectory, host::TeamProcess, runner::Scratch.
+  constexpr std::string_view own = "/matchday-XXXXXX/socket";
+  constexpr std::string_view of_worker = "/matchday-run-XXXXXX/1023";
+  constexpr std::size_t longest_socket = sizeof(sockaddr_un::sun_path) - 1;
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  if (error || ::access(folder.c_str(), W_OK | X_OK) != 0) {
+    const char* name = std::getenv("TMPDIR");
+    throw std::invalid_argument("TMPDIR " + console::shortened(console::printable(name != nullptr ? name : "/tmp"), 200) +
+                                ": is no folder in which files can be made; give it another value");
+  }
+  const std::size_t most =
+      longest_socket - own.size() - (games == Games::OfWorkers ? of_worker.size() : std::size_t{0});
+  const std::string path = folder.string();
+  if (path.size() <= most) return;
+  throw std::invalid_argument("TMPDIR " + console::shortened(console::printable(path), 200) + ": has " +
+                              std::to_string(path.size()) + " bytes and may have " + std::to_string(most) +
+                              ", since the teams' sockets are made in it, whose paths have at most " +
+                              std::to_string(longest_socket) + "; give it a shorter value");
 }
 
 }  // namespace commands

@@ -14,6 +14,7 @@
 #include "experiments/builds/file_lock.h"
 #include "experiments/builds/git.h"
 #include "experiments/process/child.h"
+#include "experiments/process/whole_file.h"
 
 namespace builds {
 namespace {
@@ -105,20 +106,23 @@ std::map<Revision, std::string> read_commits(const fs::path& folder) {
   std::string repository;
   while (std::getline(stream, commit, '\t') && std::getline(stream, revision, '\t') &&
          std::getline(stream, repository)) {
+    if (!is_commit(commit)) {  // it becomes a folder's name and an argument of git
+      throw std::invalid_argument(
+          (folder / "commits").string() + ": '" + commit +
+          "' is no commit: the file is damaged; remove it, and the revisions are looked "
+          "up again");
+    }
     commits[{repository, revision}] = commit;
   }
   return commits;
 }
 
 void write_commits(const fs::path& folder, const std::map<Revision, std::string>& commits) {
-  const fs::path unfinished = folder / "commits.part";
-  std::ofstream stream(unfinished, std::ios::trunc);
+  std::ostringstream stream;
   for (const auto& [revision, commit] : commits) {
     stream << commit << '\t' << revision.second << '\t' << revision.first << '\n';
   }
-  stream.close();
-  if (!stream) throw std::runtime_error(unfinished.string() + ": cannot be written; is the disk full?");
-  fs::rename(unfinished, folder / "commits");
+  process::write_whole(folder / "commits", stream.str());
 }
 
 /// A branch that went on is no mistake, but the reader should know which of its commits plays.
@@ -149,11 +153,10 @@ bool make(const schedule::Source& source, const std::string& what, const std::st
   const auto start = std::chrono::steady_clock::now();
   if (!source.build.empty()) build(source.build, what, checkout, with(checkout, ".log"), patience, who);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::ofstream stream(finished);
+  std::ostringstream stream;
   stream << "repository " << source.repository << "\nrevision " << source.revision << "\ncommit "
          << source.commit << "\nbuild " << source.build << "\nseconds " << seconds << '\n';
-  stream.close();
-  if (!stream) throw std::runtime_error(finished.string() + ": cannot be written; is the disk full?");
+  process::write_whole(finished, stream.str());
   return true;
 }
 

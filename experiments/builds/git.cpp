@@ -1,13 +1,9 @@
 #include "experiments/builds/git.h"
 
-#include <stdlib.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <fstream>
 #include <sstream>
+#include <utility>
 
-#include "experiments/process/child.h"
+#include "experiments/process/filter.h"
 #include "experiments/schedule/nearest.h"
 
 namespace builds {
@@ -18,28 +14,6 @@ namespace fs = std::filesystem;
 constexpr std::chrono::minutes git_patience{30};              // a large repository over a slow line
 constexpr std::chrono::milliseconds grace{2'000};             // between TERM and KILL
 constexpr std::size_t longest_answer = std::size_t{1} << 20;  // [bytes]
-
-/// A file that goes away.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "matchday-git-XXXXXX").string();
-    const int file = ::mkstemp(name.data());
-    if (file < 0) throw std::runtime_error("cannot make a file in " + fs::temp_directory_path().string());
-    ::close(file);
-    path_ = name;
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 Said git(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "git");
@@ -63,31 +37,29 @@ std::string last_line(const std::string& text) {
 
 std::string trimmed(const std::string& text) { return text.substr(0, text.find_first_of("\r\n ")); }
 
-bool is_commit(const std::string& text) {
-  return text.size() >= 40 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
-}
-
 }  // namespace
+
+bool is_commit(const std::string& text) {
+  constexpr std::size_t sha1 = 40;
+  constexpr std::size_t sha256 = 64;
+  return (text.size() == sha1 || text.size() == sha256) &&
+         text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
 
 Said listen_to(const std::vector<std::string>& command, const fs::path& directory,
                std::chrono::milliseconds patience) {
-  const Scratch output;
-  bool well = false;
-  {
-    process::Command start;
-    start.arguments = command;
-    start.environment = {{"GIT_TERMINAL_PROMPT", "0"}, {"LC_ALL", "C"}};  // nobody is there to answer
-    start.directory = directory;
-    start.output = output.path();
-    start.output_limit = longest_answer;
-    process::Child child(start);
-    const bool ended = child.wait(patience);
-    well = child.stop(ended ? std::chrono::milliseconds{0} : grace).clean() && ended;
-  }
-  std::ifstream stream(output.path());
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return {well, text.str()};
+  // Nobody is there to answer; and an address names a place, no command (ext::).
+  process::Filtered found =
+      process::filter({.arguments = command,
+                       .directory = directory,
+                       .environment = {{"GIT_TERMINAL_PROMPT", "0"},
+                                       {"GIT_ALLOW_PROTOCOL", "file:git:http:https:ssh"},
+                                       {"LC_ALL", "C"}},
+                       .patience = patience,
+                       .grace = grace,
+                       .longest_output = longest_answer,
+                       .errors_too = true});
+  return {found.well, std::move(found.output)};
 }
 
 bool is_remote(const std::string& repository) {
@@ -118,7 +90,7 @@ std::string commit_of(const std::string& repository, const std::string& revision
 void mirror(const std::string& address, const fs::path& copy, const std::string& who) {
   const bool there = fs::exists(copy / "HEAD");
   const Said said = there ? git({"-C", copy.string(), "fetch", "--quiet", "--prune", "origin"})
-                          : git({"clone", "--quiet", "--mirror", address, copy.string()});
+                          : git({"clone", "--quiet", "--mirror", "--", address, copy.string()});
   if (!said.well) complain(who, address, "cannot be fetched; git says: " + last_line(said.text));
 }
 
@@ -127,7 +99,7 @@ void check_out(const std::string& repository, const std::string& commit, const f
   fs::remove_all(folder);
   // --force: the folder may have been deleted by hand, which git still remembers as a checkout.
   const Said said =
-      git({"-C", repository, "worktree", "add", "--force", "--detach", folder.string(), commit});
+      git({"-C", repository, "worktree", "add", "--force", "--detach", "--", folder.string(), commit});
   if (!said.well) {
     complain(who, repository,
              "commit " + commit + " cannot be checked out; git says: " + last_line(said.text));

@@ -22,6 +22,9 @@ struct Said {
 Said listen_to(const std::vector<std::string>& command, const std::filesystem::path& directory,
                std::chrono::milliseconds patience);
 
+/// Whether a text is the full name of a commit: 40 or 64 hexadecimal digits.
+bool is_commit(const std::string& text);
+
 /// The commit that a revision names in a repository: a branch, tag or commit there, or a branch of its
 /// origin.
 ///

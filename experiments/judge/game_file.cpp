@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "experiments/judge/json_values.h"
+#include "experiments/process/whole_file.h"
 
 namespace judge {
 namespace {
@@ -149,14 +150,7 @@ GameResult game_from_json(const std::string& text, const std::string& name) {
 }
 
 void write_game(const std::filesystem::path& file, const GameResult& result) {
-  const std::filesystem::path beside = file.string() + ".part";
-  {
-    std::ofstream stream(beside);
-    stream << to_json(result);
-    stream.flush();
-    if (!stream) throw std::runtime_error(beside.string() + ": cannot be written");
-  }
-  std::filesystem::rename(beside, file);
+  process::write_whole(file, to_json(result));
 }
 
 std::optional<GameResult> read_game(const std::filesystem::path& file) {

@@ -1,12 +1,12 @@
 #include "experiments/judge/snippet.h"
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 #include <utility>
 
 #include "experiments/host/league_log.h"
 #include "experiments/judge/state_text.h"
+#include "experiments/process/whole_file.h"
 #include "sim/wire/referee.h"
 #include "sim/wire/vision.h"
 
@@ -132,10 +132,7 @@ std::vector<Case> SnippetWriter::close(const std::string& game, const std::vecto
         cases, [&](const Case& one) { return one.event == event && !one.close() && !one.ambiguous(); });
   });
   const std::filesystem::path file = expectation_of(file_);
-  std::ofstream stream(file);
-  stream << to_json(snippet_);
-  stream.flush();
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be written");
+  process::write_whole(file, to_json(snippet_));
   return cases;
 }
 

@@ -1,12 +1,14 @@
 // The formats for programs: every number in full.
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "experiments/record/json_text.h"
 #include "experiments/report/formats.h"
 #include "experiments/report/health.h"
 #include "experiments/report/wording.h"
+#include "sim/console/printable.h"
 
 namespace report {
 namespace {
@@ -256,18 +258,35 @@ class Extras {
   std::set<std::string> statistics_;
 };
 
-/// A JSON value as a cell: texts with their quotes doubled inside, null as an empty cell.
-std::string csv_cell(const std::string& json) {
-  if (json == "null") return "";
-  if (json.empty() || json.front() != '"') return json;
-  std::string text = "\"";
+/// The text of a JSON string as record::quoted() writes it: \u is a control character there.
+std::string unquoted(const std::string& json) {
+  std::string text;
   for (std::size_t i = 1; i + 1 < json.size(); ++i) {
-    if (json[i] == '\\' && i + 2 < json.size()) {
-      ++i;
-      if (json[i] == '"') text += '"';
+    if (json[i] != '\\') {
+      text += json[i];
+      continue;
     }
-    text += json[i];
+    ++i;
+    constexpr std::size_t digits = 4;
+    if (json[i] == 'u') {
+      text += '\x1A';
+      i += digits;
+    } else {
+      text += std::string_view("bfnrt").find(json[i]) != std::string_view::npos ? ' ' : json[i];
+    }
   }
+  return text;
+}
+
+/// A JSON value as a cell: texts with their quotes doubled inside, null as an empty cell. A text that a
+/// spreadsheet would take for a formula begins with an apostrophe.
+std::string csv_cell(const std::string& value) {
+  if (value == "null") return "";
+  if (value.empty() || value.front() != '"') return value;
+  const std::string words = console::printable(unquoted(value));
+  std::string text = "\"";
+  if (!words.empty() && std::string_view("=+-@").find(words.front()) != std::string_view::npos) text += '\'';
+  for (const char letter : words) text += letter == '"' ? std::string("\"\"") : std::string(1, letter);
   return text + "\"";
 }
 
@@ -275,27 +294,28 @@ std::string csv_cell(const std::string& json) {
 
 std::string as_json(const Summary& summary) {
   const Header& header = summary.header;
-  return json_object({{"design", record::quoted(header.design)},
-                      {"description", record::quoted(header.description)},
-                      {"rules", record::quoted(header.rules)},
-                      {"half_length", header.half_length ? record::number(*header.half_length) : "null"},
-                      {"realism", record::quoted(header.realism)},
-                      {"seed", std::to_string(header.seed)},
-                      {"pairs", std::to_string(header.pairs)},
-                      {"forfeit_goals", std::to_string(header.forfeit_goals)},
-                      {"experiment", record::quoted(header.experiment)},
-                      {"games", std::to_string(summary.games)},
-                      {"planned", std::to_string(summary.planned)},
-                      {"repeated_games", std::to_string(summary.repeated_games)},
-                      {"stopping", record::quoted(header.stopping)},
-                      {"answers", json_texts(header.answers)},
-                      {"warnings", json_texts(warnings(summary))},
-                      {"audits", json_audits(header.audits)},
-                      {"panels", json_panels(summary.panels)},
-                      {"sweeps", json_sweeps(summary.sweeps)},
-                      {"conditions", json_rows(header, summary.rows)},
-                      {"conditions_without_forfeits", json_rows(header, summary.without_forfeits)}},
-                     "") +
+  return console::printable_json(
+             json_object({{"design", record::quoted(header.design)},
+                          {"description", record::quoted(header.description)},
+                          {"rules", record::quoted(header.rules)},
+                          {"half_length", header.half_length ? record::number(*header.half_length) : "null"},
+                          {"realism", record::quoted(header.realism)},
+                          {"seed", std::to_string(header.seed)},
+                          {"pairs", std::to_string(header.pairs)},
+                          {"forfeit_goals", std::to_string(header.forfeit_goals)},
+                          {"experiment", record::quoted(header.experiment)},
+                          {"games", std::to_string(summary.games)},
+                          {"planned", std::to_string(summary.planned)},
+                          {"repeated_games", std::to_string(summary.repeated_games)},
+                          {"stopping", record::quoted(header.stopping)},
+                          {"answers", json_texts(header.answers)},
+                          {"warnings", json_texts(warnings(summary))},
+                          {"audits", json_audits(header.audits)},
+                          {"panels", json_panels(summary.panels)},
+                          {"sweeps", json_sweeps(summary.sweeps)},
+                          {"conditions", json_rows(header, summary.rows)},
+                          {"conditions_without_forfeits", json_rows(header, summary.without_forfeits)}},
+                         "")) +
          "\n";
 }
 

@@ -1,60 +1,27 @@
 #include "experiments/report/figures.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <memory>
 
+#include "experiments/report/drawing.h"
 #include "experiments/report/wording.h"
 
 namespace report {
 namespace {
 
-// Colours of Okabe and Ito, told apart by everyone.
-constexpr const char* colour_a = "#0072B2";
-constexpr const char* colour_b = "#D55E00";
-constexpr const char* colour_draw = "#7F7F7F";
-
-/// A text in gnuplot's double quotes, with nothing in it special.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') result += '\\';
-    result += letter == '\n' ? ' ' : letter;
-  }
-  return result + "\"";
-}
-
-/// For names of files: letters, digits, dash, underscore and dot.
+/// For names of files: letters, digits, dash, underscore and dot, not at the front.
 std::string plain(const std::string& text) {
   std::string result;
   for (const char letter : text) {
     const bool kept = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-                      (letter >= '0' && letter <= '9') || letter == '-' || letter == '_' || letter == '.';
+                      (letter >= '0' && letter <= '9') || letter == '-' || letter == '_' ||
+                      (letter == '.' && !result.empty());
     result += kept ? letter : '-';
   }
   return result;
-}
-
-std::string frame(const std::string& x_label, const std::string& y_label) {
-  return "set terminal svg size 720,440 dynamic enhanced font 'Helvetica,14' background rgb 'white'\n"
-         "set encoding utf8\nset termoption noenhanced\n"
-         "set border 3 lc rgb '#555555'\nset tics nomirror\nset grid ytics lc rgb '#DDDDDD' lt 1\n"
-         "set key outside top center horizontal\nset errorbars small\nset pointintervalbox 0\n"
-         "set xlabel " +
-         quoted(x_label) + "\nset ylabel " + quoted(y_label) + "\n";
-}
-
-/// The range of x with room at both ends.
-std::string x_range(double low, double high) {
-  const double room = high > low ? 0.06 * (high - low) : 0.5;
-  return fmt::format("set xrange [{}:{}]\n", low - room, high + room);
 }
 
 struct Point {
@@ -72,34 +39,35 @@ struct Points {
   const Sweep* sweep = nullptr;
 };
 
-std::string ticks(const Points& points) {
-  std::string text = "set xtics (";
-  for (std::size_t i = 0; i < points.points.size(); ++i) {
-    const Point& point = points.points[i];
-    text += fmt::format("{}{} {}", i > 0 ? ", " : "",
-                        quoted(points.numeric ? fmt::format("{:g}", point.x) : point.label), point.x);
+constexpr std::size_t labels_side_by_side = 4;
+
+/// Axis of x and its labels.
+Drawing start(const Points& points, const char* y_label, Drawing::Range range) {
+  Drawing drawing;
+  drawing.x_label = points.x_label;
+  drawing.y_label = y_label;
+  drawing.range = range;
+  drawing.lines = points.numeric;
+  drawing.turned = !points.numeric && points.points.size() > labels_side_by_side;
+  for (const Point& point : points.points) {
+    drawing.ticks.push_back({point.x, points.numeric ? fmt::format("{:g}", point.x) : point.label});
   }
-  text += ")";
-  return text + (points.numeric || points.points.size() < 5 ? "\n" : " rotate by -30\n");
+  return drawing;
 }
 
-std::string start(const Points& points, const std::string& y_label) {
-  return frame(points.x_label, y_label) + x_range(points.points.front().x, points.points.back().x) +
-         ticks(points);
-}
-
-/// A named block of lines "x y low high", shifted a little so that bars do not hide each other.
+/// A number of every point, shifted a little so that bars do not hide each other.
 template <class Value>
-std::string block(const std::string& name, const Points& points, double shift, Value value) {
+Drawing::Curve curve(const std::string& title, Drawing::Colour colour, const Points& points, double shift,
+                     Value value) {
   const double span = points.points.back().x - points.points.front().x;
   const double step = !points.numeric ? 0.07 : span > 0 ? 0.008 * span : 0.03;
-  std::string text = "$" + name + " << EOD\n";
+  Drawing::Curve result{title, colour, {}};
   for (const Point& point : points.points) {
     const std::array<double, 3> numbers = value(*point.row);
     if (!std::isfinite(numbers[0])) continue;
-    text += fmt::format("{} {} {} {}\n", point.x + shift * step, numbers[0], numbers[1], numbers[2]);
+    result.points.push_back({point.x + shift * step, numbers[0], numbers[1], numbers[2]});
   }
-  return text + "EOD\n";
+  return result;
 }
 
 std::array<double, 3> with_error(const stats::Mean& mean) {
@@ -111,36 +79,27 @@ std::array<double, 3> of_interval(double value, const stats::Interval& interval)
   return {value, known ? interval.low : value, known ? interval.high : value};
 }
 
-std::string curve(const std::string& name, const std::string& title, const char* colour,
-                  const Points& points) {
-  const char* lines = points.numeric ? "with lines" : "with points pt 0";
-  return fmt::format(
-      "${0} using 1:2 {1} lc rgb '{2}' lw 1.5 notitle, ${0} using 1:2:3:4 with yerrorbars lc rgb '{2}' "
-      "pt 7 ps 0.7 lw 1.5 title {3}",
-      name, lines, colour, quoted(title));
-}
-
 Figure goals(const Points& points, const std::string& a, const std::string& b) {
-  std::string script = start(points, "goals a game") + "set yrange [0:*]\n";
-  script += block("a", points, -1, [](const Row& row) { return with_error(row.a.goals); });
-  script += block("b", points, 1, [](const Row& row) { return with_error(row.b.goals); });
-  script += "plot " + curve("a", a, colour_a, points) + ", " + curve("b", b, colour_b, points) + "\n";
+  Drawing drawing = start(points, "goals a game", Drawing::Range::FromZero);
+  drawing.curves = {
+      curve(a, Drawing::Colour::A, points, -1, [](const Row& row) { return with_error(row.a.goals); }),
+      curve(b, Drawing::Colour::B, points, 1, [](const Row& row) { return with_error(row.b.goals); })};
   return {plain(points.name) + "-goals",
-          points.name + ": mean goals a game of both teams, bars one standard error", script};
+          points.name + ": mean goals a game of both teams, bars one standard error", std::move(drawing)};
 }
 
 Figure difference(const Points& points) {
-  std::string script = start(points, "goals of A minus goals of B, a game");
-  script += block("d", points, 0,
-                  [](const Row& row) { return of_interval(row.difference.mean, row.t_test.interval); });
-  script += "plot 0 lc rgb '#999999' lw 1 notitle, " + curve("d", "A - B", colour_a, points);
+  Drawing drawing = start(points, "goals of A minus goals of B, a game", Drawing::Range::Free);
+  drawing.zero_line = true;
+  drawing.curves = {curve("A - B", Drawing::Colour::A, points, 0, [](const Row& row) {
+    return of_interval(row.difference.mean, row.t_test.interval);
+  })};
   if (points.sweep != nullptr && points.sweep->trend.known) {
-    script += fmt::format(", {} + {} * x lc rgb '#999999' dt 2 lw 1.5 title 'trend'",
-                          points.sweep->trend.intercept, points.sweep->trend.slope);
+    drawing.trend = {points.sweep->trend.intercept, points.sweep->trend.slope};
   }
   return {plain(points.name) + "-difference",
           points.name + ": A's goal difference a game, bars Student's 95 % intervals over pairs",
-          script + "\n"};
+          std::move(drawing)};
 }
 
 Figure shares(const Points& points) {
@@ -149,14 +108,13 @@ Figure shares(const Points& points) {
     return std::array<double, 3>{100.0 * static_cast<double>(count) / static_cast<double>(row.games),
                                  100 * interval.low, 100 * interval.high};
   };
-  std::string script = start(points, "share of games [%]") + "set yrange [0:100]\n";
-  script += block("a", points, -1, [&](const Row& row) { return share(row.a.wins, row); });
-  script += block("n", points, 0, [&](const Row& row) { return share(row.draws, row); });
-  script += block("b", points, 1, [&](const Row& row) { return share(row.b.wins, row); });
-  script += "plot " + curve("a", "A wins", colour_a, points) + ", " +
-            curve("n", "draws", colour_draw, points) + ", " + curve("b", "B wins", colour_b, points) + "\n";
+  Drawing drawing = start(points, "share of games [%]", Drawing::Range::Percent);
+  drawing.curves = {
+      curve("A wins", Drawing::Colour::A, points, -1, [&](const Row& row) { return share(row.a.wins, row); }),
+      curve("draws", Drawing::Colour::Draw, points, 0, [&](const Row& row) { return share(row.draws, row); }),
+      curve("B wins", Drawing::Colour::B, points, 1, [&](const Row& row) { return share(row.b.wins, row); })};
   return {plain(points.name) + "-results",
-          points.name + ": shares of wins and draws, bars Wilson's 95 % intervals", script};
+          points.name + ": shares of wins and draws, bars Wilson's 95 % intervals", std::move(drawing)};
 }
 
 /// The same team under every condition, or just the letter.
@@ -209,35 +167,11 @@ std::vector<Figure> figures(const Summary& summary) {
 }
 
 std::string drawn(const Figure& figure) {
-  // The script goes through a file: a pipe for each direction would need a process of our own.
-  std::string name = (std::filesystem::temp_directory_path() / "matchday-figure-XXXXXX").string();
-  const int descriptor = ::mkstemp(name.data());
-  if (descriptor < 0) throw DrawingError("figures: no file can be written in the system's temporary folder");
-  ::close(descriptor);
-  struct Remove {
-    std::string name;
-    ~Remove() { std::remove(name.c_str()); }
-  } const remove{name};
-  std::ofstream(name) << figure.script;
-
-  struct Close {
-    void operator()(FILE* pipe) const { ::pclose(pipe); }
-  };
-  std::unique_ptr<FILE, Close> pipe(::popen(("gnuplot '" + name + "' 2>/dev/null").c_str(), "r"));
-  if (!pipe) throw DrawingError("figures: no process can be started");
-  std::string text;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe.get()))
-    text.append(buffer.data(), count);
-  const int status = ::pclose(pipe.release());
-  constexpr int not_found = 127;  // as the shell says it
-  if (WIFEXITED(status) && WEXITSTATUS(status) == not_found) {
-    throw DrawingError("figures are drawn by gnuplot, which is not installed; scripts/install installs it");
+  try {
+    return drawn(figure.drawing);
+  } catch (const DrawingError& error) {
+    throw DrawingError("figure " + figure.name + ": " + error.what());
   }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || text.find("</svg>") == std::string::npos) {
-    throw DrawingError("figure " + figure.name + ": gnuplot did not draw it");
-  }
-  return text;
 }
 
 }  // namespace report

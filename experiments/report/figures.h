@@ -1,18 +1,18 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "experiments/report/drawing.h"
 #include "experiments/report/summary.h"
 
 namespace report {
 
-/// A picture of results: data and drawing as a script for gnuplot.
+/// A picture of results.
 struct Figure {
   std::string name;     ///< of a file: "speed-goals"
   std::string caption;  ///< what is to be seen, one sentence
-  std::string script;   ///< draws into standard output as SVG
+  Drawing drawing;
 };
 
 /// Of each sweep: goals of both teams with standard errors (the paper's Figure 8), goal difference with its
@@ -20,13 +20,8 @@ struct Figure {
 /// shares side by side.
 std::vector<Figure> figures(const Summary& summary);
 
-/// gnuplot is missing or would not draw.
-struct DrawingError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// The figure as SVG, drawn by gnuplot.
-/// @throws DrawingError in one sentence
+/// @throws DrawingError in one sentence that names it
 std::string drawn(const Figure& figure);
 
 }  // namespace report

@@ -2,7 +2,6 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,37 +9,15 @@
 #include <fstream>
 #include <sstream>
 
-#include "experiments/record/ledger.h"
+#include "experiments/process/whole_file.h"
 #include "experiments/report/html_style.h"
+#include "experiments/report/markup.h"
 #include "experiments/report/wording.h"
 
 namespace report {
 namespace {
 
 constexpr int refresh_seconds = 20;
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += letter;
-    }
-  }
-  return result;
-}
 
 std::string cell(const std::string& text, const char* kind = "") {
   return std::string("<td") + (*kind != '\0' ? std::string(" class=\"") + kind + "\"" : "") + ">" +
@@ -340,7 +317,7 @@ std::string as_html(const Page& page) {
           games(page.attempts);
   if (!page.manifest.empty()) {
     text += "<h2>Manifest</h2>\n<details><summary>how to make this folder again</summary><pre>" +
-            escaped(page.manifest) + "</pre></details>\n";
+            escaped_lines(page.manifest) + "</pre></details>\n";
   }
   return text + "<script>" + page_script + "</script>\n</body>\n</html>\n";
 }
@@ -369,18 +346,7 @@ std::filesystem::path write_html(const std::filesystem::path& folder, const Summ
   }
 
   const std::filesystem::path file = folder / "report.html";
-  std::filesystem::path unfinished = file;
-  unfinished += "." + std::to_string(::getpid()) + ".part";  // two may write at once: a run and a reader
-  std::ofstream stream(unfinished, std::ios::trunc);
-  stream << as_html(page);
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(unfinished, file, error);
-  if (!stream || error) {
-    std::filesystem::remove(unfinished, error);
-    throw record::StorageError(file.string() +
-                               ": cannot be written; is the disk full, or the folder read-only?");
-  }
+  process::write_whole(file, as_html(page));
   return file;
 }
 

@@ -32,7 +32,7 @@ std::string as_html(const Page& page);
 /// older one as a whole. Loads itself again while games are missing.
 ///
 /// @return the file
-/// @throws record::StorageError when it cannot be written
+/// @throws std::system_error when it cannot be written
 std::filesystem::path write_html(const std::filesystem::path& folder, const Summary& summary,
                                  std::span<const record::Attempt> attempts, bool goes_on);
 

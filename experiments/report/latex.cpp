@@ -2,6 +2,7 @@
 
 #include "experiments/report/formats.h"
 #include "experiments/report/wording.h"
+#include "sim/console/printable.h"
 
 namespace report {
 namespace {
@@ -9,7 +10,7 @@ namespace {
 /// A text in which nothing is a command.
 std::string escaped(const std::string& text) {
   std::string result;
-  for (const char letter : text) {
+  for (const char letter : console::printable(text)) {
     switch (letter) {
       case '&':
       case '%':
@@ -44,7 +45,8 @@ std::string escaped(const std::string& text) {
 
 std::string comment(const std::string& text) {
   std::string result = "% ";
-  for (const char letter : text) result += letter == '\n' ? std::string("\n% ") : std::string(1, letter);
+  for (const char letter : console::printable_lines(text))
+    result += letter == '\n' ? std::string("\n% ") : std::string(1, letter);
   return result + "\n";
 }
 
@@ -97,8 +99,8 @@ std::string table(const Header& header, const std::vector<Row>& rows) {
 
 std::string statistics(const Row& row) {
   std::string text =
-      "\n% match statistics, " + row.condition +
-      "\n\\begin{tabular}{lrrrcr}\n\\toprule\na game & A & B & A $-$ B & 95 \\% & Holm $p$ \\\\\n\\midrule\n";
+      "\n" + comment("match statistics, " + row.condition) +
+      "\\begin{tabular}{lrrrcr}\n\\toprule\na game & A & B & A $-$ B & 95 \\% & Holm $p$ \\\\\n\\midrule\n";
   for (const Comparison& one : row.comparisons) {
     const bool part = one.label.starts_with(' ');
     text += fmt::format("{}{} & {} & {} & ${}$ & {} & {} \\\\\n", part ? "\\quad " : "",

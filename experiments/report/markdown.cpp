@@ -2,15 +2,25 @@
 
 #include "experiments/report/formats.h"
 #include "experiments/report/wording.h"
+#include "sim/console/printable.h"
 
 namespace report {
 namespace {
 
-/// A text as a cell: a bar would end it.
+/// A text as a cell or a sentence: one line without markup. A bar would end the cell, and pages take HTML.
 std::string cell(const std::string& text) {
   std::string result;
-  for (const char letter : text) {
-    if (letter == '|') result += '\\';
+  for (const char letter : console::printable(text)) {
+    if (letter == '<') {
+      result += "&lt;";
+      continue;
+    }
+    if (letter == '&') {
+      result += "&amp;";
+      continue;
+    }
+    const bool link = letter == '(' && result.ends_with(']');
+    if (letter == '|' || letter == '`' || letter == '\\' || link) result += '\\';
     result += letter;
   }
   return result;
@@ -63,11 +73,11 @@ std::string statistics(const Row& row) {
 
 std::string as_markdown(const Summary& summary) {
   const Header& header = summary.header;
-  std::string text = "## " + header.design + "\n\n";
-  if (!header.description.empty()) text += header.description + "\n\n";
-  text += circumstances(summary) + "\n\n";
+  std::string text = "## " + cell(header.design) + "\n\n";
+  if (!header.description.empty()) text += cell(header.description) + "\n\n";
+  text += console::printable_lines(circumstances(summary)) + "\n\n";
   if (!header.stopping.empty()) text += "Stopping: " + header.stopping + "\n\n";
-  for (const std::string& answer : header.answers) text += "**" + answer + "**\n\n";
+  for (const std::string& answer : header.answers) text += "**" + cell(answer) + "**\n\n";
   text += table(header, summary.rows);
   if (!summary.without_forfeits.empty()) {
     text += fmt::format("\nForfeits counted above as lost 0:{}. The pairs without forfeits alone:\n\n",
@@ -75,7 +85,7 @@ std::string as_markdown(const Summary& summary) {
             table(header, summary.without_forfeits);
   }
   for (const PanelComparison& panel : summary.panels) {
-    text += "\n### " + cell(panel.title()) + "\n\n" + panel.sentence() +
+    text += "\n### " + cell(panel.title()) + "\n\n" + cell(panel.sentence()) +
             "\n\n| opponent | pairs | A | B | A - B | [95 %] | p | win % A - B [95 %] |\n"
             "|---|---:|---|---|---|---|---|---|\n";
     for (const PanelComparison::Line& line : panel.lines) {
@@ -88,13 +98,13 @@ std::string as_markdown(const Summary& summary) {
     }
   }
   if (!summary.sweeps.empty()) text += "\n### Trends\n\n";
-  for (const Sweep& sweep : summary.sweeps) text += "* " + sentence(sweep) + "\n";
+  for (const Sweep& sweep : summary.sweeps) text += "* " + cell(sentence(sweep)) + "\n";
   for (const Row& row : summary.rows) {
     if (!row.comparisons.empty()) text += statistics(row);
   }
   text += "\n";
   for (const std::string& note : footnotes(summary)) text += note + ".\n";
-  for (const std::string& warning : warnings(summary)) text += "\nNote: " + warning + ".\n";
+  for (const std::string& warning : warnings(summary)) text += "\nNote: " + cell(warning) + ".\n";
   return text;
 }
 

@@ -6,6 +6,7 @@
 
 #include "experiments/report/formats.h"
 #include "experiments/report/wording.h"
+#include "sim/console/printable.h"
 
 namespace report {
 namespace {
@@ -14,15 +15,11 @@ constexpr std::size_t team_width = 30;  // with it a line has 100 columns
 constexpr std::size_t line_width = 100;
 constexpr std::size_t most_compared = 4;  // conditions whose match statistics a terminal shows
 
-/// Columns a text takes: bytes that continue a character take none.
-std::size_t columns(const std::string& text) {
-  std::size_t count = 0;
-  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
-  return count;
-}
+std::size_t columns(const std::string& text) { return console::length(text); }
 
+/// The text at most so wide, cut between characters.
 std::string shortened(const std::string& text, std::size_t width) {
-  return columns(text) <= width ? text : text.substr(0, width - 1) + "~";
+  return columns(text) <= width ? text : console::shortened(console::printable(text), width);
 }
 
 std::string left(const std::string& text, std::size_t width) {
@@ -151,7 +148,7 @@ std::string as_text(const Summary& summary) {
   text += all_statistics(summary.rows) + "\n";
   for (const std::string& note : footnotes(summary)) text += wrapped(note + ".", "  ");
   for (const std::string& warning : warnings(summary)) text += wrapped("Note: " + warning + ".", "  ");
-  return text;
+  return console::printable_lines(text);
 }
 
 std::string formatted(const Summary& summary, std::string_view format) {

@@ -2,11 +2,11 @@
 
 #include <sys/utsname.h>
 
-#include <array>
-#include <cstdio>
 #include <fstream>
-#include <memory>
+#include <system_error>
 
+#include "experiments/process/filter.h"
+#include "experiments/process/whole_file.h"
 #include "experiments/record/json_text.h"
 #include "experiments/record/ledger.h"
 #include "experiments/runner/worker.h"
@@ -16,14 +16,12 @@ namespace {
 
 /// The commit of the checkout we are started in; "unknown" outside of one or without git.
 std::string commit() {
-  struct Close {
-    void operator()(FILE* pipe) const { ::pclose(pipe); }
-  };
-  const std::unique_ptr<FILE, Close> pipe(::popen("git rev-parse HEAD 2>/dev/null", "r"));
-  std::array<char, 128> line{};
-  if (!pipe || std::fgets(line.data(), line.size(), pipe.get()) == nullptr) return "unknown";
-  const std::string text = line.data();
-  return text.substr(0, text.find('\n'));
+  try {
+    const process::Filtered found = process::filter({.arguments = {"git", "rev-parse", "HEAD"}});
+    if (found.well) return found.output.substr(0, found.output.find('\n'));
+  } catch (const process::StartError&) {  // there is no git
+  }
+  return "unknown";
 }
 
 /// A line of /proc/cpuinfo, "model name" or "flags".
@@ -87,14 +85,11 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   field("processor_class", record::quoted(cpu_class()));
   field("system", record::quoted(kernel()));
 
-  std::filesystem::path unfinished = file;
-  unfinished += ".part";
-  std::ofstream stream(unfinished, std::ios::trunc);
-  stream << text << "\n}\n";
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(unfinished, file, error);
-  if (!stream || error) throw record::StorageError(file.string() + ": cannot be written; is the disk full?");
+  try {
+    process::write_whole(file, text + "\n}\n");
+  } catch (const std::system_error& error) {
+    throw record::StorageError(error.what());
+  }
 }
 
 }  // namespace runner

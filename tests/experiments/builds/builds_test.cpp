@@ -182,5 +182,16 @@ TEST_F(BuildsTest, ADesignWithoutGitNeedsNoFolder) {
   EXPECT_FALSE(fs::exists(folder_));
 }
 
+// The name of a commit becomes the name of a folder and an argument of git.
+TEST_F(BuildsTest, RefusesACommitThatIsNone) {
+  fs::create_directories(folder_);
+  for (const std::string commit : {"../../somewhere", "--output=x", "abc", ""}) {
+    std::ofstream(folder_ / "commits", std::ios::trunc)
+        << commit << "\tmain\t" << repository_.path().string() << "\n";
+    EXPECT_THAT(complaint(design()),
+                HasSubstr("commits: '" + commit + "' is no commit: the file is damaged"));
+  }
+}
+
 }  // namespace
 }  // namespace builds

@@ -68,6 +68,29 @@ TEST(Git, TellsAddressesFromFolders) {
   EXPECT_FALSE(is_remote("/home/me/a:b"));
 }
 
+TEST(Git, NeverRunsAProgramForAnAddress) {
+  const Repository repository;
+  const fs::path marker = repository.folder() / "marker";
+  for (const std::string& address :
+       {"ext::touch " + marker.string(), "--upload-pack=touch " + marker.string()}) {
+    EXPECT_THROW(mirror(address, repository.folder() / "copy", "a"), std::invalid_argument);
+  }
+  EXPECT_FALSE(fs::exists(marker));
+}
+
+TEST(Git, LeavesNoTemporaryFile) {
+  const Repository repository;
+  const fs::path folder = repository.folder() / "it's `temporary`";
+  fs::create_directory(folder);
+  const char* before = std::getenv("TMPDIR");
+  const std::string usual = before != nullptr ? before : "";
+  ::setenv("TMPDIR", folder.c_str(), 1);
+  const Said said = listen_to({"/bin/sh", "-c", "ls \"$TMPDIR\""}, {}, std::chrono::seconds{60});
+  before != nullptr ? ::setenv("TMPDIR", usual.c_str(), 1) : ::unsetenv("TMPDIR");
+  EXPECT_TRUE(said.well);
+  EXPECT_EQ(said.text, "") << "nor while it runs: kill -9 would leave it";
+}
+
 TEST(ListenTo, EndsWhatTakesTooLong) {
   const Said said = listen_to({"/bin/sh", "-c", "echo begun; sleep 100"}, {}, std::chrono::milliseconds{300});
   EXPECT_FALSE(said.well);

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "experiments/process/filter.h"
+
 namespace builds {
 
 /// A folder with a git repository `team` of two commits, which goes away with the test.
@@ -44,8 +46,9 @@ class Repository {
 
   /// Runs it in the repository.
   void shell(const std::string& line) const {
-    const std::string whole = "cd '" + path().string() + "' && " + line + " > /dev/null 2>&1";
-    if (std::system(whole.c_str()) != 0) throw std::runtime_error("failed: " + line);
+    const process::Filtered found =
+        process::filter({.arguments = {"/bin/sh", "-c", line}, .directory = path()});
+    if (!found.well) throw std::runtime_error("failed: " + line + ": " + found.problem);
   }
 
   const std::string identity = "git -c user.name=test -c user.email=test@example.org";

@@ -2,16 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
+#include "experiments/process/filter.h"
 #include "tests/fakes/programs.h"
 
 namespace {
@@ -36,15 +34,22 @@ class MatchdayProgram : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  Said matchday(const std::string& arguments) const {
-    const std::string line =
-        "cd '" + folder_.string() + "' && " + fakes::bin_dir() + "/matchday " + arguments + " 2>&1";
-    FILE* pipe = ::popen(line.c_str(), "r");
+  Said matchday(const std::string& arguments) const { return shell("\"$BIN\"/matchday " + arguments); }
+
+  /// A line for the shell in our folder; $BIN is the folder of the programs.
+  Said shell(const std::string& line) const {
+    const std::string with_code = "(" + line + "); code=$?; printf '%03d' $code";
+    std::string text = process::filter({.arguments = {"/bin/sh", "-c", with_code},
+                                        .directory = folder_,
+                                        .environment = {{"BIN", fakes::bin_dir()}},
+                                        .patience = std::chrono::seconds{300},
+                                        .errors_too = true})
+                           .output;
     Said said;
-    std::array<char, 4096> buffer;
-    while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) said.text += buffer.data();
-    const int status = ::pclose(pipe);
-    if (WIFEXITED(status)) said.code = WEXITSTATUS(status);
+    constexpr std::size_t digits = 3;
+    if (text.size() < digits) return said;
+    said.code = std::stoi(text.substr(text.size() - digits));
+    said.text = text.substr(0, text.size() - digits);
     return said;
   }
 
@@ -252,13 +257,7 @@ TEST_F(MatchdayProgram, TellsHowToContinueAfterTroubleWithTheFolder) {
 TEST_F(MatchdayProgram, InterruptedSaysHowToContinue) {
   write_design("good.toml");
   const std::string line = "run good.toml --out 'my results' --no-preflight" + fake("--milliseconds 5000");
-  const std::string shell =
-      "cd '" + folder_.string() + "' && timeout -s INT 2 " + fakes::bin_dir() + "/matchday " + line + " 2>&1";
-  FILE* pipe = ::popen(shell.c_str(), "r");
-  std::string text;
-  std::array<char, 4096> buffer;
-  while (std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) text += buffer.data();
-  ::pclose(pipe);
+  const std::string text = shell("timeout -s INT 2 \"$BIN\"/matchday " + line).text;
   EXPECT_THAT(text,
               HasSubstr("continue with: " + fakes::bin_dir() + "/matchday run good.toml --out 'my results'"));
 }
@@ -327,15 +326,13 @@ TEST_F(MatchdayProgram, KeepsOfATeamsOutputWhatTheDesignSays) {
 
 TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
   const std::string git = "git -c user.name=test -c user.email=test@example.org ";
-  const auto shell = [&](const std::string& line) {
-    return std::system(("cd '" + folder_.string() + "' && (" + line + ") > /dev/null 2>&1").c_str());
-  };
   ASSERT_EQ(
       shell(
           "git init -q -b main team && cd team && printf '#!/bin/sh\\necho 1\\n' > t.sh && chmod +x t.sh && "
           "git add -A && " +
           git + "commit -qm one && git checkout -q -b fast && echo '# 2' >> t.sh && " + git +
-          "commit -qam two"),
+          "commit -qam two")
+          .code,
       0);
   const std::string line =
       "compare main fast --team-repo team --build 'mkdir bin && cp t.sh bin/' --run 'bin/t.sh goals=2' "
@@ -350,7 +347,8 @@ TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
   EXPECT_THAT(again.text, AllOf(Not(HasSubstr("building")), HasSubstr("12 of 12 games are there")));
   EXPECT_EQ(
       shell(
-          "ls results/compare-main-fast-*/manifest.json && grep -q bin/t.sh results/compare-*/manifest.json"),
+          "ls results/compare-main-fast-*/manifest.json && grep -q bin/t.sh results/compare-*/manifest.json")
+          .code,
       0);
 
   const Said missing = matchday("compare main fest --team-repo team --run bin/t.sh");

@@ -194,5 +194,38 @@ TEST(Formatted, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(formatted(example(), "csv"), as_csv(example()));
 }
 
+/// Names that act on a terminal, a page, a spreadsheet or TeX.
+Summary hostile() {
+  Summary summary = example();
+  const std::string evil = "=1+1|`x`<b>\\end{document}\r\x1B[2J\xE2\x80\xAE\xFF";
+  summary.header.description = evil;
+  summary.header.answers = {evil};
+  summary.header.remarks = {evil};
+  for (Header::Condition& condition : summary.header.conditions) {
+    condition.name = condition.a.name = condition.b.name = evil;
+  }
+  for (Row& row : summary.rows) row.condition = row.a.name = row.b.name = evil;
+  return summary;
+}
+
+TEST(EveryFormat, HasNothingThatActsOnATerminal) {
+  for (const char* format : {"text", "markdown", "csv", "json", "latex"}) {
+    const std::string text = formatted(hostile(), format);
+    for (const char* acts : {"\x1B", "\r", "\xE2\x80\xAE", "\xFF"}) {
+      EXPECT_THAT(text, Not(HasSubstr(acts))) << format;
+    }
+  }
+}
+
+TEST(Markdown, HasNoMarkupFromNames) {
+  EXPECT_THAT(as_markdown(hostile()), HasSubstr("| =1+1\\|\\`x\\`&lt;b>\\\\end{document}"));
+}
+
+TEST(Latex, HasNoCommandFromNames) { EXPECT_THAT(as_latex(hostile()), Not(HasSubstr("\n\\end{document}"))); }
+
+TEST(Csv, HasNoFormulaFromNames) {
+  EXPECT_THAT(as_csv(hostile()), HasSubstr("\ncounted,\"'=1+1|`x`<b>\\end"));
+}
+
 }  // namespace
 }  // namespace report

@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 #include "experiments/record/ledger.h"
 #include "tests/experiments/report/examples.h"
@@ -61,7 +62,7 @@ TEST(Html, ShowsWhatTheAuditsFound) {
 // Opens from a disk without a network: nothing is loaded from anywhere.
 TEST(Html, NeedsNothingButItself) {
   Page page = page_of(sweep_example(), {});
-  page.figures.emplace_back(Figure{"speed", "a figure", ""}, "<?xml version=\"1.0\"?>\n<svg><path/></svg>");
+  page.figures.emplace_back(Figure{"speed", "a figure", {}}, "<?xml version=\"1.0\"?>\n<svg><path/></svg>");
   const std::string text = as_html(page);
   EXPECT_EQ(count(text, "src="), 0U);
   EXPECT_EQ(count(text, "<link"), 0U);
@@ -103,6 +104,24 @@ TEST(Html, LoadsItselfAgainOnlyWhileARunGoesOn) {
   EXPECT_THAT(as_html(page), HasSubstr("http-equiv=\"refresh\""));
 }
 
+// Names come straight from a ledger, which somebody else may have written.
+TEST(Html, HasNoMarkupFromNames) {
+  Summary summary = example();
+  const std::string evil = "<script>alert('x')</script>\"&\x1B[2J";
+  summary.header.description = evil;
+  summary.header.answers = {evil};
+  summary.header.remarks = {evil};
+  for (Header::Condition& condition : summary.header.conditions) condition.name = condition.a.name = evil;
+  for (Row& row : summary.rows) row.condition = row.a.name = evil;
+  Page page = page_of(summary, {});
+  page.manifest = evil;
+  page.no_figures = evil;
+  const std::string text = as_html(page);
+  EXPECT_THAT(text, HasSubstr("&lt;script&gt;alert(&#39;x&#39;)&lt;/script&gt;&quot;&amp;\xEF\xBF\xBD[2J"));
+  EXPECT_EQ(count(text, "<script>"), 1U) << "ours";
+  EXPECT_EQ(count(text, "\x1B"), 0U);
+}
+
 class WriteHtml : public testing::Test {
  protected:
   void SetUp() override {
@@ -130,8 +149,8 @@ TEST_F(WriteHtml, SaysWhichFileCannotBeWritten) {
   try {
     write_html(folder_ / "missing", example(), {}, false);
     ADD_FAILURE() << "nothing thrown";
-  } catch (const record::StorageError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("missing/report.html: cannot be written"));
+  } catch (const std::system_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("missing/report.html: cannot be written: No such file or directory"));
   }
 }
 
