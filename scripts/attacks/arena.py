@@ -9,6 +9,7 @@ import subprocess
 import time
 from pathlib import Path
 
+USED = ("matchday", "ssl-", "team-reference", "team-chaser", "fake-team", "libshifted_clock")
 MARK = "MATCHDAY_ATTACK"  # in the environment of every child
 CODES = (0, 1, 2, 3, 4, 5, 10, 11, 74)  # of experiments/exit_code.h, without 70 (a mistake of ours) and signals
 MEMORY = 1 << 30  # [byte] ours: reading a folder or log of these sizes takes under 64 MiB
@@ -74,12 +75,14 @@ class Child:
             self.process = subprocess.Popen(self.command, stdin=subprocess.DEVNULL, stdout=out, stderr=err, env=environment,
                                             cwd=cwd or arena.folder, preexec_fn=limits, start_new_session=True)
         self.pid, self.status, self.usage = self.process.pid, None, None
+        arena.started[self.pid] = self
 
     def running(self):
         if self.status is None:
             pid, status, usage = os.wait4(self.pid, os.WNOHANG)
             if pid:
                 self.status, self.usage = status, usage
+                del self.arena.started[self.pid]
                 self.process.returncode = os.waitstatus_to_exitcode(status)
         return self.status is None
 
@@ -117,9 +120,15 @@ class Arena:
     @param alone   whether we are in a process and mount namespace of our own: all other processes are ours"""
 
     def __init__(self, folder, programs, alone):
-        self.folder, self.programs, self.alone = folder, programs, alone
+        self.folder, self.alone = folder, alone
+        self.programs = folder / "programs"  # a copy: a build meanwhile would change what is attacked
+        self.programs.mkdir()
+        for file in programs.iterdir():
+            if file.name.startswith(USED):
+                shutil.copy2(file, self.programs / file.name)
         self.token = folder.name
         self.scratch, self.home = folder / "scratch", folder / "home"
+        self.started = {}  # number -> Child
         self.scratch.mkdir()
         self.home.mkdir()
         self.children = 0
@@ -179,8 +188,22 @@ class Arena:
         for pid in pids:
             kill(pid, signal.SIGKILL)
 
+    def reap(self):
+        """Orphans come to us in a process namespace of our own; those that have ended are taken off the table."""
+        if not self.alone:
+            return
+        for entry in Path("/proc").iterdir():
+            try:
+                if entry.name.isdigit() and int(entry.name) not in self.started:
+                    fields = (entry / "stat").read_text().rsplit(")", 1)[1].split()
+                    if fields[0] == "Z" and int(fields[1]) == os.getpid():
+                        os.waitpid(int(entry.name), os.WNOHANG)
+            except OSError:
+                pass  # it has gone
+
     def left_over(self, patience=3):
         """Processes that are still there after `patience` seconds; they are ended, and told."""
+        self.reap()
         until = time.monotonic() + patience
         while True:
             found = {pid: words for pid, words in self.processes().items() if pid not in self.known}

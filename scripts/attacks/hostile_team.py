@@ -2,7 +2,7 @@
 """A team that attacks the host, the other team or the machine in one way: hostile_team.py MODE [TOKEN [FOLDER]].
 
 It speaks the protocol with bytes made by hand and plays, badly, until its moment comes. TOKEN is in the
-environment of all that the attack has started: it harms nothing else. FOLDER is the result folder.
+environment of all that the attack has started: it harms nothing else. FOLDER is the result folder, in hexadecimal digits.
 """
 import os
 import resource
@@ -100,6 +100,6 @@ if __name__ == "__main__":
     if words[0] not in modes():
         sys.exit(f"hostile_team.py: unknown mode; known are: {', '.join(modes())}")
     try:
-        sys.exit(Team(words[0], words[1], Path(words[2] or "/nonexistent")).play())
+        sys.exit(Team(words[0], words[1], Path(bytes.fromhex(words[2]).decode() or "/nonexistent")).play())
     except (BrokenPipeError, ConnectionError):
         sys.exit(1)

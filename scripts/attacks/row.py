@@ -104,8 +104,9 @@ class Row:
         """Ends and removes what the row has left."""
         left = self.arena.processes()
         self.arena.end(left)
+        self.arena.reap()
         self.arena.known.clear()
         for path in self.arena.folder.iterdir():
-            if path not in (self.arena.scratch, self.arena.home):
+            if path not in (self.arena.scratch, self.arena.home, self.arena.programs):
                 shutil.rmtree(path, ignore_errors=True) if path.is_dir() and not path.is_symlink() else path.unlink()
         self.arena.temporary()
