@@ -1,4 +1,5 @@
 """Texts from outside that would be commands, markup or terminal sequences if anybody took them for such."""
+import html.parser
 import json
 import os
 import re
@@ -18,9 +19,28 @@ CASES = ("design", "ledger", "branch", "program", "flags", "design", "folder", "
 MARKS = ("owned", "owned2")
 EVIL = ("`touch owned`", "$(touch owned)", "${IFS}`touch${IFS}owned`", "\";touch owned;\"", "';touch owned;'", "|touch owned", "&& touch owned",
         "\\\"`touch owned`", "@{[system('touch owned')]}", "$(system \"touch owned\")", "\\input{/etc/passwd}", "\\write18{touch owned}", "x\n\\input{/etc/passwd}",
-        "<script>alert(1)</script>", "\"><img src=x onerror=alert(1)>", "\x1b]0;owned\x07", "\x1b[2J", "\x9b2J", "a\nb", "a\rb", "a\tb", "\x7f",
+        "<script>alert(1)</script>", "\"><img src=x onerror=alert(1)>", "\" onmouseover=\"alert(1)", "\x1b]0;owned\x07", "\x1b[2J", "\x9b2J", "a\nb", "a\rb", "a\tb", "\x7f",
         "-", "--help", "..", "../../owned", "/", "%s%n%n%n", "\u202eevil", "n" * 5000, "{0}", "=cmd|' /C calc'!A0", "\ufeff", "'", "\\", "{/Symbol a}",
         "^x_y", "a\u0000b")
+
+
+class Markup(html.parser.HTMLParser):
+    """Whether a page has a script or a handler that came with a name."""
+
+    def __init__(self, data):
+        super().__init__()
+        self.found, self.inside = False, ""
+        self.feed(data.decode("utf-8", "replace"))
+
+    def handle_starttag(self, tag, attrs):
+        self.inside = tag
+        self.found |= any(key.startswith("on") and "alert" in (value or "") for key, value in attrs)
+
+    def handle_data(self, data):
+        self.found |= self.inside == "script" and "alert" in data
+
+    def handle_endtag(self, tag):
+        self.inside = ""
 
 
 class Names(Row):
@@ -67,7 +87,7 @@ class Names(Row):
         pages = [folder / "report.html", *(self.place / "figures").glob("*.svg")]
         for page in pages:
             data = page.read_bytes() if page.exists() else b""
-            if b"<script>alert" in data or b"onerror=alert(1)>" in data:
+            if Markup(data).found:
                 wrong.append(f"a name is markup in {page.name}")
             if tools.RAW.search(data):
                 wrong.append(f"{page.name} has a control character")
