@@ -133,7 +133,7 @@ class Arena:
         self.home.mkdir()
         self.children = 0
         self.known = set()  # processes of a row that are meant to stay
-        self.matchday, self.autoref, self.sim = (programs / name for name in ("matchday", "ssl-autoref", "ssl-sim"))
+        self.matchday, self.autoref, self.sim = (self.programs / name for name in ("matchday", "ssl-autoref", "ssl-sim"))
 
     def start(self, *command, **options):
         return Child(self, command, **options)

@@ -158,7 +158,7 @@ class Disks(Row):
         commands += [["report", night.folder, "--format", form] for form in ("text", "markdown", "csv", "json", "latex")]
         commands = [[matchday, *words] for words in commands]
         commands += [[self.arena.autoref, *words] for words in (["replay", log], ["replay", log, "--json"], ["calibrate", log],
-                                                               ["table"], ["positions"], ["--help"])]
+                                                               ["automaton"], ["positions"], ["--help"])]
         wrong = []
         for words in commands:
             with open("/dev/full", "wb") as full:
