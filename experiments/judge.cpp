@@ -23,6 +23,7 @@
 #include "experiments/runner/program_files.h"
 #include "experiments/runner/result_folder.h"
 #include "experiments/runner/signals.h"
+#include "experiments/schedule/command_line.h"
 #include "experiments/schedule/schedule.h"
 #include "experiments/start.h"
 #include "sim/wire/match.h"
@@ -52,15 +53,6 @@ std::string read(const fs::path& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
-}
-
-std::string shell_line(const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& word : words) {
-    const bool plain = word.find_first_of(" '\"$\\*?") == std::string::npos && !word.empty();
-    line += (line.empty() ? "" : " ") + (plain ? word : "'" + word + "'");
-  }
-  return line;
 }
 
 /// The games of one design that are judged into one folder, each into a file of its own.
@@ -271,7 +263,7 @@ std::string told_cases(const std::vector<judge::Failure>& failures, const JudgeO
     const std::string kind = one.event + ": " + one.what.substr(0, one.what.find(';'));
     if (std::ranges::find(kinds, kind) != kinds.end()) continue;
     kinds.push_back(kind);
-    text += fmt::format("    {} --show {}:{}-{}    # {}\n", shell_line(line), one.game, one.first_tick,
+    text += fmt::format("    {} --show {}:{}-{}    # {}\n", schedule::shell_line(line), one.game, one.first_tick,
                         one.last_tick, kind);
   }
   return text;
@@ -351,7 +343,7 @@ int judge(const JudgeOptions& options) {
   const std::optional<int> signal = judging.play(options.workers);
 
   const std::vector<judge::GameResult> games = judging.results();
-  const std::string command = shell_line(options.command_line);
+  const std::string command = schedule::shell_line(options.command_line);
   std::int64_t ticks = 0;
   for (const judge::GameResult& game : games) ticks += game.ticks;
   const double minutes = static_cast<double>(ticks) / world::ticks_per_second / 60;

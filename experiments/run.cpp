@@ -19,23 +19,6 @@
 namespace commands {
 namespace {
 
-/// A word of a command line so that a shell reads it back.
-std::string shell_word(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789-_./=,:+@%") == std::string::npos;
-  if (plain) return word;
-  std::string quoted = "'";
-  for (const char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return quoted + "'";
-}
-
-std::string shell_line(const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : " ") + shell_word(word);
-  return line;
-}
-
 /// What a stopping rule says at the end, as the exit code.
 ExitCode verdict(const Experiment& experiment) {
   if (experiment.design.stopping.rule == schedule::StopRule::Fixed) return done;
@@ -79,7 +62,7 @@ int run(const RunOptions& options) {
     std::cerr << "stopping: " << stopping::rule(design) << std::endl;
   }
   builds::prepare(design, settings.out / "builds", std::cerr);
-  const std::string again = "continue with: " + shell_line(options.command_line);
+  const std::string again = "continue with: " + schedule::shell_line(options.command_line);
   runner::RunResult result;
   try {
     result = runner::run(design, settings, std::cerr);

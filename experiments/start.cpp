@@ -70,7 +70,8 @@ void check_temporary_folder(Games games) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
   if (error || ::access(folder.c_str(), W_OK | X_OK) != 0) {
     const char* name = std::getenv("TMPDIR");
-    throw std::invalid_argument("TMPDIR " + console::shortened(console::printable(name != nullptr ? name : "/tmp"), 200) +
+    throw std::invalid_argument("TMPDIR " +
+                                console::shortened(console::printable(name != nullptr ? name : "/tmp"), 200) +
                                 ": is no folder in which files can be made; give it another value");
   }
   const std::size_t most =

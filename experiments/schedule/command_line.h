@@ -19,4 +19,7 @@ std::vector<std::string> split_command(std::string_view line);
 /// @pre command is not empty
 std::string usual_name(const std::vector<std::string>& command);
 
+/// Words as one line that a shell reads back as these words, whatever is in them.
+std::string shell_line(const std::vector<std::string>& words);
+
 }  // namespace schedule

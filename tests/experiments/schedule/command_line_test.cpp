@@ -39,5 +39,12 @@ TEST(UsualName, IsTheScriptsWhenAnInterpreterRunsIt) {
   EXPECT_EQ(usual_name({"python3"}), "python3");
 }
 
+TEST(ShellLine, IsReadBackAsTheSameWords) {
+  EXPECT_EQ(shell_line({"matchday", "run", "a.toml", "--out=x"}), "matchday run a.toml --out=x");
+  EXPECT_EQ(shell_line({"it's", "", "$(touch x)"}), "'it'\\''s' '' '$(touch x)'");
+  const std::vector<std::string> words{"`a`", "b c", "d'e'", "\"", "\\", "", "~", "*", "!x", "a\nb"};
+  EXPECT_EQ(split_command(shell_line(words)), words);
+}
+
 }  // namespace
 }  // namespace schedule
