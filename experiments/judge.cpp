@@ -263,8 +263,8 @@ std::string told_cases(const std::vector<judge::Failure>& failures, const JudgeO
     const std::string kind = one.event + ": " + one.what.substr(0, one.what.find(';'));
     if (std::ranges::find(kinds, kind) != kinds.end()) continue;
     kinds.push_back(kind);
-    text += fmt::format("    {} --show {}:{}-{}    # {}\n", schedule::shell_line(line), one.game, one.first_tick,
-                        one.last_tick, kind);
+    text += fmt::format("    {} --show {}:{}-{}    # {}\n", schedule::shell_line(line), one.game,
+                        one.first_tick, one.last_tick, kind);
   }
   return text;
 }

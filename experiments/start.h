@@ -31,8 +31,8 @@ void check_result_folder(const std::filesystem::path& folder, const std::filesys
 /// Games of this process alone, or of workers with folders of their own inside ours.
 enum class Games { Here, OfWorkers };
 
-/// Checks before anything is started that the folder for temporary files is there and its path is short enough
-/// for the teams' sockets.
+/// Checks before anything is started that the folder for temporary files is there and its path is short
+/// enough for the teams' sockets.
 ///
 /// @throws std::invalid_argument about TMPDIR
 void check_temporary_folder(Games games);
