@@ -1,8 +1,6 @@
-#include <cmath>
-#include <limits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "experiments/record/json_fields.h"
 #include "experiments/record/json_text.h"
 #include "experiments/record/match_config.h"
 #include "experiments/record/match_record.h"
@@ -10,56 +8,15 @@
 namespace record {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-// The log of a program may hold any bytes; a record must still be written.
-std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-Json parsed(const std::string& text, const char* what) {
-  try {
-    Json json = Json::parse(text);
-    if (!json.is_object()) throw std::invalid_argument(std::string(what) + ": not a JSON object");
-    return json;
-  } catch (const Json::exception& error) {
-    throw std::invalid_argument(std::string(what) + ": not JSON: " + error.what());
-  }
-}
-
-/// Reads fields and says which one was wrong.
-class Fields {
- public:
-  Fields(const Json& json, std::string what) : json_(json), what_(std::move(what)) {
-    if (!json_.is_object()) throw std::invalid_argument(what_ + ": not a JSON object");
-  }
-  const Json& at(const char* key) const {
-    const auto found = json_.find(key);
-    if (found == json_.end()) throw std::invalid_argument(what_ + ": field '" + key + "' is missing");
-    return *found;
-  }
-  bool has(const char* key) const {
-    const auto found = json_.find(key);
-    return found != json_.end() && !found->is_null();
-  }
-  template <class T>
-  void read(const char* key, T& value) const {
-    const Json& field = at(key);
-    try {
-      field.get_to(value);
-    } catch (const Json::exception&) {
-      throw std::invalid_argument(what_ + ": field '" + key + "' has the wrong type: " + dumped(field));
-    }
-  }
-  std::string text(const char* key) const {
-    std::string value;
-    read(key, value);
-    return value;
-  }
-  std::string name_of(const char* key) const { return what_ + ": field '" + key + "'"; }
-
- private:
-  const Json& json_;
-  std::string what_;
-};
+// Ranges of what a game can give, ours: far above any game, and far below what arithmetic could not hold. A
+// game has at most 40 simulated minutes, 80 with a winner.
+constexpr int most_goals = 1'000;               // one in 2.4 s
+constexpr int most_counted = 10'000'000;        // of anything, seventy a tick of such a game
+constexpr std::int64_t most_ticks = 1'000'000;  // 4.6 hours
+constexpr double most_seconds = 1e6;            // simulated, or of a processor: 11 days
+constexpr double most_metres = 1e7;
+constexpr double most_of_anything = 1e15;                       // bytes, nanoseconds
+constexpr std::int64_t most_nanoseconds = 100'000'000'000'000;  // 28 hours
 
 Json team_json(const TeamConfig& team) {
   Json json{{"name", team.name},
@@ -76,7 +33,7 @@ TeamConfig team_from(const Json& json, const std::string& what) {
   fields.read("name", team.name);
   fields.read("command", team.command);
   fields.read("robots", team.robots);
-  fields.read("speed_factor", team.speed_factor);
+  team.speed_factor = fields.real("speed_factor", 0, 1);
   if (fields.has("directory")) team.directory = fields.text("directory");
   return team;
 }
@@ -94,11 +51,30 @@ Json per_team_json(const world::PerTeam<T>& value) {
   return Json{{"yellow", value.yellow}, {"blue", value.blue}};
 }
 
-template <class T>
-void read_per_team(const Fields& fields, const char* key, world::PerTeam<T>& value) {
+void read_per_team(const Fields& fields, const char* key, world::PerTeam<std::string>& value) {
   const Fields inner(fields.at(key), fields.name_of(key));
-  inner.read("yellow", value.yellow);
-  inner.read("blue", value.blue);
+  for (const world::Team team : world::both_teams) inner.read(world::name(team), value[team]);
+}
+
+world::PerTeam<int> counts_from(const Fields& fields, const char* key, int most) {
+  const Fields inner(fields.at(key), fields.name_of(key));
+  return {.yellow = inner.count("yellow", most), .blue = inner.count("blue", most)};
+}
+
+std::map<std::string, int> kinds_from(const Fields& fields, const char* key) {
+  const Fields inner(fields.at(key), fields.name_of(key));
+  std::map<std::string, int> kinds;
+  inner.each([&](const std::string& kind) { kinds[kind] = inner.count(kind.c_str(), most_counted); });
+  return kinds;
+}
+
+std::map<std::string, double> numbers_from(const Fields& fields, const char* key) {
+  const Fields inner(fields.at(key), fields.name_of(key));
+  std::map<std::string, double> numbers;
+  inner.each([&](const std::string& name) {
+    numbers[name] = inner.real(name.c_str(), -most_of_anything, most_of_anything);
+  });
+  return numbers;
 }
 
 Json call_json(const CallEntry& call) {
@@ -113,9 +89,7 @@ Json call_json(const CallEntry& call) {
 CallEntry call_from(const Json& json) {
   const Fields fields(json, "call");
   CallEntry call;
-  std::int64_t nanoseconds = 0;
-  fields.read("ns", nanoseconds);
-  call.time = world::Time{world::Duration{nanoseconds}};
+  call.time = world::Time{world::Duration{fields.integer("ns", -most_nanoseconds, most_nanoseconds)}};
   fields.read("row", call.row);
   fields.read("event", call.event);
   fields.read("command", call.command);
@@ -142,18 +116,18 @@ Json team_statistics_json(const TeamStatistics& team) {
 TeamStatistics team_statistics_from(const Json& json, const std::string& what) {
   const Fields fields(json, what);
   TeamStatistics team;
-  fields.read("kicks", team.kicks);
-  fields.read("shots", team.shots);
-  fields.read("shots_on_target", team.shots_on_target);
-  fields.read("saves", team.saves);
-  fields.read("passes", team.passes);
-  fields.read("passes_completed", team.passes_completed);
-  fields.read("touches", team.touches);
-  fields.read("turnovers", team.turnovers);
-  fields.read("balls_out", team.balls_out);
-  fields.read("possession", team.possession);
-  fields.read("territory", team.territory);
-  fields.read("distance", team.distance);
+  team.kicks = fields.count("kicks", most_counted);
+  team.shots = fields.count("shots", most_counted);
+  team.shots_on_target = fields.count("shots_on_target", most_counted);
+  team.saves = fields.count("saves", most_counted);
+  team.passes = fields.count("passes", most_counted);
+  team.passes_completed = fields.count("passes_completed", most_counted);
+  team.touches = fields.count("touches", most_counted);
+  team.turnovers = fields.count("turnovers", most_counted);
+  team.balls_out = fields.count("balls_out", most_counted);
+  team.possession = fields.real("possession", 0, most_seconds);
+  team.territory = fields.real("territory", 0, most_seconds);
+  team.distance = fields.real("distance", 0, most_metres);
   return team;
 }
 
@@ -169,10 +143,10 @@ Json statistics_json(const MatchStatistics& game) {
 MatchStatistics statistics_from(const Json& json, const std::string& what) {
   const Fields fields(json, what);
   MatchStatistics game;
-  fields.read("time", game.time);
-  fields.read("in_play", game.in_play);
-  fields.read("passages", game.passages);
-  fields.read("longest_passage", game.longest_passage);
+  game.time = fields.real("time", 0, most_seconds);
+  game.in_play = fields.real("in_play", 0, most_seconds);
+  game.passages = fields.count("passages", most_counted);
+  game.longest_passage = fields.real("longest_passage", 0, most_seconds);
   for (const world::Team team : world::both_teams) {
     game.teams[team] = team_statistics_from(fields.at(world::name(team)), fields.name_of(world::name(team)));
   }
@@ -232,15 +206,11 @@ MatchConfig match_config_from_json(const std::string& text) {
   MatchConfig config;
   config.teams.yellow = team_from(fields.at("yellow"), fields.name_of("yellow"));
   config.teams.blue = team_from(fields.at("blue"), fields.name_of("blue"));
-  fields.read("seed", config.seed);
+  config.seed = fields.seed("seed");
   fields.read("rules", config.rules);
   fields.read("realism", config.realism.preset);
-  fields.read("realism_changes", config.realism.changes);
-  if (fields.has("half_length")) {
-    double half_length = 0;
-    fields.read("half_length", half_length);
-    config.half_length = half_length;
-  }
+  config.realism.changes = numbers_from(fields, "realism_changes");
+  if (fields.has("half_length")) config.half_length = fields.real("half_length", 0, most_seconds);
   if (fields.has("winner")) fields.read("winner", config.winner);
   fields.read("blue_on_positive_half", config.blue_on_positive_half);
   config.first_kickoff = colour_from(fields, "first_kickoff");
@@ -248,7 +218,7 @@ MatchConfig match_config_from_json(const std::string& text) {
     const Fields inner(fields.at("continuation"), fields.name_of("continuation"));
     Continuation& continuation = config.continuation.emplace();
     continuation.recording = inner.text("recording");
-    if (inner.has("tick")) inner.read("tick", continuation.tick.emplace());
+    if (inner.has("tick")) continuation.tick = inner.integer("tick", 0, most_ticks);
   }
   if (fields.has("recording")) config.recording = fields.text("recording");
   if (fields.has("log")) config.log = fields.text("log");
@@ -279,29 +249,38 @@ std::string to_json(const MatchRecord& record) {
                      {"costs", record.costs}});
 }
 
-MatchRecord match_record_from_json(const std::string& text) {
-  const Json json = parsed(text, "match record");
+MatchRecord match_record_from_json(const std::string& text, Timeline timeline) {
+  const Json json = parsed(text, "match record", timeline == Timeline::Skip ? "timeline" : nullptr);
   const Fields fields(json, "match record");
   MatchRecord record;
-  read_per_team(fields, "goals", record.goals);
+  record.goals = counts_from(fields, "goals", most_goals);
   record.termination = termination_from_name(fields.text("termination"));
   record.at_fault = party_from_name(fields.text("at_fault"));
   fields.read("reason", record.reason);
-  fields.read("ticks", record.ticks);
+  record.ticks = fields.integer("ticks", 0, most_ticks);
   fields.read("hash", record.hash);
-  fields.read("calls", record.calls);
-  read_per_team(fields, "fouls", record.fouls);
+  record.calls = kinds_from(fields, "calls");
+  record.fouls = counts_from(fields, "fouls", most_counted);
   // Ledgers of schema 1 have neither of these two.
-  if (fields.has("fouls_by_kind")) read_per_team(fields, "fouls_by_kind", record.fouls_by_kind);
+  if (fields.has("fouls_by_kind")) {
+    const Fields inner(fields.at("fouls_by_kind"), fields.name_of("fouls_by_kind"));
+    for (const world::Team team : world::both_teams) {
+      record.fouls_by_kind[team] = kinds_from(inner, world::name(team));
+    }
+  }
   if (fields.has("statistics")) {
     record.statistics = statistics_from(fields.at("statistics"), fields.name_of("statistics"));
   }
-  fields.read("stoppages", record.stoppages);
-  fields.read("counters", record.counters);
+  record.stoppages = fields.count("stoppages", most_counted);
+  record.counters = numbers_from(fields, "counters");
   read_per_team(fields, "versions", record.versions);
-  for (const Json& call : fields.at("timeline")) record.timeline.push_back(call_from(call));
-  fields.read("wall_seconds", record.wall_seconds);
-  fields.read("costs", record.costs);
+  if (timeline == Timeline::Read) {
+    const Json& calls = fields.at("timeline");
+    if (!calls.is_array()) throw std::invalid_argument(fields.name_of("timeline") + " is not a list");
+    for (const Json& call : calls) record.timeline.push_back(call_from(call));
+  }
+  record.wall_seconds = fields.real("wall_seconds", 0, most_seconds);
+  record.costs = numbers_from(fields, "costs");
   return record;
 }
 

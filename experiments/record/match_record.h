@@ -85,8 +85,12 @@ struct MatchRecord {
 /// The record as one line of JSON.
 std::string to_json(const MatchRecord& record);
 
-/// @throws std::invalid_argument naming the field when `text` is not such a line
-MatchRecord match_record_from_json(const std::string& text);
+/// Whether the timeline of a record is read: it is nine tenths of a full game's.
+enum class Timeline { Read, Skip };
+
+/// @throws std::invalid_argument naming the field when `text` is not such a line, or a number in it is out of
+/// its range
+MatchRecord match_record_from_json(const std::string& text, Timeline timeline = Timeline::Read);
 
 /// Who won: by goals when finished, against the team at fault otherwise; void when both or the harness are.
 Outcome outcome(const MatchRecord& record);

@@ -6,11 +6,12 @@
 
 namespace runner {
 
-Auditor::Auditor(const schedule::Design& design, const ResultFolder& folder, record::Ledger& ledger,
-                 double share, std::span<const record::Attempt> before, std::size_t places)
+Auditor::Auditor(const schedule::Design& design, const ResultFolder& folder, const record::Ledger& ledger,
+                 LedgerWriter& writer, double share, std::span<const record::Attempt> before,
+                 std::size_t places)
     : design_(design),
       folder_(folder),
-      ledger_(ledger),
+      writer_(writer),
       experiment_(ledger.experiment().hash),
       share_(share),
       steps_(places),
@@ -51,7 +52,7 @@ void Auditor::take(const AuditStep& step, const record::MatchRecord& record) {
   const std::string id = record::game_id(step.original.key);
   const bool replies = kept_replies(folder_.game(id, step.original.attempt)).has_value();
   if (const auto audit = waiting_.ended(step, record, replies)) {
-    ledger_.add(*audit);
+    writer_.write([audit = *audit](record::Ledger& ledger) { ledger.add(audit); });
     done_.push_back(*audit);
   }
 }

@@ -9,6 +9,7 @@
 #include "experiments/record/ledger.h"
 #include "experiments/runner/audit.h"
 #include "experiments/runner/crew.h"
+#include "experiments/runner/ledger_writer.h"
 
 namespace runner {
 
@@ -17,10 +18,11 @@ class Auditor {
  public:
   /// Audits that an earlier run missed are made up.
   ///
+  /// @param ledger  for the audits of earlier runs
   /// @param share   of the games that are audited
   /// @param before  what the ledger holds already
-  Auditor(const schedule::Design& design, const ResultFolder& folder, record::Ledger& ledger, double share,
-          std::span<const record::Attempt> before, std::size_t places);
+  Auditor(const schedule::Design& design, const ResultFolder& folder, const record::Ledger& ledger,
+          LedgerWriter& writer, double share, std::span<const record::Attempt> before, std::size_t places);
 
   /// A game that has just been written into the ledger.
   void add(const record::Attempt& attempt);
@@ -39,7 +41,7 @@ class Auditor {
 
   const schedule::Design& design_;
   const ResultFolder& folder_;
-  record::Ledger& ledger_;
+  LedgerWriter& writer_;
   std::string experiment_;  ///< its hash
   double share_;
   Audits waiting_;

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "experiments/record/checksum.h"
 #include "experiments/runner/disk.h"
 #include "experiments/runner/program_files.h"
 
@@ -38,27 +39,41 @@ Evidence::Evidence(const ResultFolder& folder, std::int64_t limit, std::span<con
   }
 }
 
-std::size_t Evidence::ended(const record::Attempt& attempt, bool sampled) {
-  const bool faulty = attempt.record.at_fault != record::Party::Nobody;
-  const std::string game = record::game_id(attempt.key);
-  if (!faulty && !sampled) {
-    folder_.forget_game(game, attempt.attempt);
-    return 0;
+std::vector<record::KeptFile> files_in(const fs::path& root, const fs::path& folder) {
+  std::vector<record::KeptFile> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code ignored;
+    if (!entry->is_regular_file(ignored) || entry->is_symlink(ignored)) continue;
+    try {
+      files.push_back({entry->path().lexically_relative(root).generic_string(),
+                       static_cast<std::int64_t>(entry->file_size()),
+                       record::checksum_of_file(entry->path())});
+    } catch (const std::runtime_error&) {
+      // A file that cannot be read is no reason to end a night; it has no row, and is told by `verify`.
+    }
   }
-  kept_.push_back({game, attempt.attempt, size_of(folder_.game(game, attempt.attempt)), faulty});
+  std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+  return files;
+}
+
+std::vector<Evidence::Place> Evidence::add(const record::Attempt& attempt) {
+  const std::string game = record::game_id(attempt.key);
+  kept_.push_back({game, attempt.attempt, size_of(folder_.game(game, attempt.attempt)),
+                   attempt.record.at_fault != record::Party::Nobody});
   size_ += kept_.back().size;
   return make_room();
 }
 
-std::size_t Evidence::make_room() {
-  std::size_t gone = 0;
+std::vector<Evidence::Place> Evidence::make_room() {
+  std::vector<Place> gone;
   while (size_ > limit_ && !kept_.empty()) {
     auto oldest = std::find_if(kept_.begin(), kept_.end(), [](const Kept& one) { return !one.faulty; });
     if (oldest == kept_.end()) oldest = kept_.begin();
-    folder_.forget_game(oldest->game, oldest->attempt);
+    gone.push_back({oldest->game, oldest->attempt});
     size_ -= oldest->size;
     kept_.erase(oldest);
-    ++gone;
   }
   return gone;
 }

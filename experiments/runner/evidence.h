@@ -7,12 +7,19 @@
 #include <vector>
 
 #include "experiments/record/attempt.h"
+#include "experiments/record/kept_file.h"
 #include "experiments/runner/result_folder.h"
 
 namespace runner {
 
 /// A number in [0, 1) for each game of an experiment, the same in every run: who is below a share is sampled.
 double sampling_number(const std::string& experiment_hash, const record::GameKey& key);
+
+/// The files in an attempt's folder as they are now, for the ledger.
+///
+/// @param root  the result folder, from which their names are seen
+std::vector<record::KeptFile> files_in(const std::filesystem::path& root,
+                                       const std::filesystem::path& folder);
 
 /// The files of games that are kept: of faulty ones, and of a sample of the others, within a limit of size.
 ///
@@ -24,10 +31,20 @@ class Evidence {
   /// @param attempts  what the ledger holds, to tell faulty games from others
   Evidence(const ResultFolder& folder, std::int64_t limit, std::span<const record::Attempt> attempts);
 
-  /// Keeps or throws away the files of an attempt that has just ended.
+  /// Whether the files of an attempt are kept.
+  static bool keeps(const record::Attempt& attempt, bool sampled) {
+    return sampled || attempt.record.at_fault != record::Party::Nobody;
+  }
+
+  /// One attempt whose files are kept.
+  struct Place {
+    std::string game;
+    int attempt = 1;
+  };
+  /// Takes in an attempt whose files are kept.
   ///
-  /// @return  how many attempts' files had to go for it
-  std::size_t ended(const record::Attempt& attempt, bool sampled);
+  /// @return  the attempts whose files have to go for it
+  std::vector<Place> add(const record::Attempt& attempt);
 
   std::int64_t size() const { return size_; }  ///< [bytes] kept
 
@@ -39,7 +56,7 @@ class Evidence {
     bool faulty = false;
   };
 
-  std::size_t make_room();
+  std::vector<Place> make_room();
 
   const ResultFolder& folder_;
   std::int64_t limit_;  ///< [bytes]

@@ -5,7 +5,8 @@
 namespace runner {
 namespace {
 
-constexpr std::chrono::minutes longest{2};  // of one turn, ours: a report of 10 000 games takes seconds
+constexpr std::chrono::minutes longest{2};      // of one turn, ours: a report of 10 000 games takes seconds
+constexpr std::chrono::milliseconds pause{20};  // between two looks whether anybody still waits
 constexpr std::size_t log_bytes = 65536;
 constexpr int share = 20;  // at most a twentieth of the time goes into it, however long one turn takes (ours)
 
@@ -13,7 +14,11 @@ constexpr int share = 20;  // at most a twentieth of the time goes into it, howe
 
 Refresher::Refresher(std::vector<std::string> command, std::chrono::milliseconds interval,
                      std::filesystem::path log)
-    : command_(std::move(command)), interval_(interval), log_(std::move(log)), started_(Clock::now()) {}
+    : command_(std::move(command)),
+      interval_(interval),
+      pause_(interval),
+      log_(std::move(log)),
+      started_(Clock::now()) {}
 
 void Refresher::start() {
   started_ = Clock::now();
@@ -61,12 +66,23 @@ std::optional<std::string> Refresher::look(Clock::time_point now) {
   return std::nullopt;
 }
 
-std::optional<std::string> Refresher::last() {
+/// False when nobody waits for it.
+bool Refresher::wait(const std::function<bool()>& enough) {
+  const auto until = Clock::now() + longest;
+  while (child_ && !child_->wait(pause) && Clock::now() < until) {
+    if (enough && enough()) return false;
+  }
+  return true;
+}
+
+std::optional<std::string> Refresher::last(const std::function<bool()>& enough) {
   if (command_.empty()) return std::nullopt;
-  if (child_) child_->wait(longest);
-  child_.reset();
-  start();
-  if (child_) child_->wait(longest);
+  for (const bool again : {false, true}) {
+    if (again) start();
+    if (wait(enough)) continue;
+    child_.reset();
+    return std::nullopt;
+  }
   return ended();
 }
 

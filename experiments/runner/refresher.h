@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,13 +28,16 @@ class Refresher {
   std::optional<std::string> look(Clock::time_point now = Clock::now());
 
   /// Runs it once more, to its end.
-  std::optional<std::string> last();
+  ///
+  /// @param enough  asked while it runs: whether nobody waits for it any more; then it is ended
+  std::optional<std::string> last(const std::function<bool()>& enough = {});
 
   /// -1: it is not running.
   pid_t pid() const { return child_ ? child_->pid() : -1; }
 
  private:
   void start();
+  bool wait(const std::function<bool()>& enough);
   std::optional<std::string> ended();
 
   std::vector<std::string> command_;

@@ -11,13 +11,13 @@
 #include "experiments/process/program.h"
 #include "experiments/process/tree.h"
 #include "experiments/record/ledger.h"
+#include "experiments/runner/archive.h"
 #include "experiments/runner/auditor.h"
 #include "experiments/runner/breaker.h"
 #include "experiments/runner/crew.h"
-#include "experiments/runner/disk_watch.h"
 #include "experiments/runner/evidence.h"
+#include "experiments/runner/ledger_opening.h"
 #include "experiments/runner/leftovers.h"
-#include "experiments/runner/manifest.h"
 #include "experiments/runner/plan.h"
 #include "experiments/runner/preflight.h"
 #include "experiments/runner/program_files.h"
@@ -27,12 +27,14 @@
 #include "experiments/runner/result_folder.h"
 #include "experiments/runner/signals.h"
 #include "experiments/runner/status.h"
+#include "experiments/runner/storage.h"
 #include "experiments/stopping/watch.h"
 #include "experiments/stopping/wording.h"
 
 namespace runner {
 namespace {
 
+namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 // How often the workers are looked at: well below the time of a game, and too seldom to disturb it.
@@ -50,22 +52,24 @@ class Run {
  public:
   Run(const schedule::Design& design, const RunOptions& options, const ResultFolder& folder,
       record::Ledger& ledger, std::span<const record::Attempt> before, std::span<const ProgramFile> files,
-      std::ostream& out)
+      Signals& signals, std::ostream& out)
       : design_(design),
         options_(options),
         folder_(folder),
-        ledger_(ledger),
+        writer_(ledger, options.disk_patience),
         experiment_(ledger.experiment().hash),
         plan_(design, before),
         watch_(design),
         progress_(out, options.terminal, design, plan_.total(), plan_.resolved()),
         breaker_(options.limits, plan_.total()),
-        evidence_(folder, options.limits.kept_logs << 20, before),
+        archive_(folder, writer_, options.limits.kept_logs << 20, before),
         programs_(files),
+        signals_(signals),
         leftovers_(folder.path()),
         crew_(options.worker_command, limits_of(options), options.workers, folder.scratch_note()),
-        auditor_(design, folder, ledger, options.limits.audited, before, crew_.places()),
-        disk_(folder.path(), options.limits.free_disk << 20, options.free_bytes, options.disk_patience),
+        auditor_(design, folder, ledger, writer_, options.limits.audited, before, crew_.places()),
+        storage_(writer_,
+                 {folder.path(), options.limits.free_disk << 20, options.free_bytes, options.disk_patience}),
         refresher_(options.refresh_command, options.refresh_interval, folder.path() / "refresh.log") {
     for (const record::Attempt& attempt : before) {
       progress_.known(attempt);
@@ -80,12 +84,12 @@ class Run {
   RunResult play() {
     RunResult result{Ending::Done, 0, folder_.path()};
     announce();
-    check_disk_at_start();
+    if (const auto problem = storage_.look_first()) give_up(*problem);
     if (options_.preflight && plan_.resolved() == 0 && plan_.total() > 0 && !preflight(result)) {
       return finish(result);
     }
     state_ = "running";
-    while (start_games() > 0 || disk_.waiting()) {
+    while (start_games() > 0 || (storage_.waiting() && !signal_)) {
       if (const auto signal = signals_.wait(look)) {
         if (signal_) break;  // the second
         drain(*signal);
@@ -94,6 +98,7 @@ class Run {
       keep_house();
     }
     crew_.end();
+    write_last();
     if (signal_) {
       result.ending = Ending::Interrupted;
       result.signal = *signal_;
@@ -115,32 +120,15 @@ class Run {
                   " of " + std::to_string(plan_.total()) + " games are there");
   }
 
-  // --- disk
-
-  void check_disk_at_start() {
-    if (disk_.look(Clock::now(), true) == DiskWatch::News::Full) {
-      give_up(disk_.sentence() + "; make room and start again");
-    }
-  }
-
-  void look_at_disk(Clock::time_point now) {
-    switch (disk_.look(now, crew_.running() == 0)) {
-      case DiskWatch::News::None:
-        break;
-      case DiskWatch::News::Full:
-        progress_.say(disk_.sentence() + ": no game is started until there is more");
-        break;
-      case DiskWatch::News::Room:
-        progress_.say("there is room on the disk again: going on");
-        break;
-      case DiskWatch::News::GiveUp:
-        give_up(disk_.sentence() + "; make room and start again, nothing is lost");
-    }
+  /// What is still waiting for the ledger gets its last chance.
+  void write_last() {
+    if (const auto lost = storage_.lost()) progress_.say(*lost);
   }
 
   /// Ends the run with an error of the storage, leaving everything in order.
   [[noreturn]] void give_up(const std::string& sentence) {
     crew_.end();
+    write_last();
     progress_.clear();
     state_ = "storage-trouble";
     status_.reason = sentence;
@@ -150,7 +138,7 @@ class Run {
 
   // --- games
 
-  bool may_start() const { return !signal_ && !disk_.waiting() && !breaker_.tripped(); }
+  bool may_start() const { return !signal_ && !storage_.waiting() && !breaker_.tripped(); }
 
   /// Fills the free places; returns how many games are running.
   std::size_t start_games() {
@@ -226,13 +214,12 @@ class Run {
 
   /// The only place that writes games into the ledger.
   void keep(const record::Attempt& attempt) {
-    ledger_.add(attempt);
+    const bool too_many = archive_.add(attempt, is_sampled(attempt.key));
     plan_.add(attempt);
     breaker_.add(attempt);
     count(attempt);
     ++status_.played;
-    const std::size_t gone = evidence_.ended(attempt, is_sampled(attempt.key));
-    if (gone > 0 && !told_of_evidence_) {
+    if (too_many && !told_of_evidence_) {
       told_of_evidence_ = true;
       progress_.say("the kept games fill " + mebibytes(options_.limits.kept_logs << 20) +
                     " (limits.kept_logs): from now on the oldest go");
@@ -312,7 +299,8 @@ class Run {
     progress_.tick(crew_.running());
     if (now - house_kept_ < options_.housekeeping) return;
     house_kept_ = now;
-    look_at_disk(now);
+    const auto say = [this](const std::string& sentence) { progress_.say(sentence); };
+    if (const auto problem = storage_.look(now, crew_.running() == 0, say)) give_up(*problem);
     if (const auto complaint = refresher_.look(now)) progress_.say(*complaint);
     std::vector<pid_t> held = crew_.pids();
     if (refresher_.pid() >= 0) held.push_back(refresher_.pid());
@@ -321,9 +309,10 @@ class Run {
   }
 
   void write_status() {
-    status_.state = disk_.waiting() && state_ == "running" ? "waiting-for-disk" : state_;
+    status_.state = state_;
+    if (state_ == "running" && storage_.waiting()) status_.state = storage_.state();
     status_.updated = options_.date();
-    status_.free_disk = disk_.free();
+    status_.free_disk = storage_.free();
     status_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
     status_.games = plan_.total();
     status_.resolved = plan_.resolved();
@@ -339,12 +328,12 @@ class Run {
     status_.left = time_left_.estimate(plan_.total() - plan_.resolved(), crew_.places());
     status_.memory = process::resident_memory(::getpid());
     status_.open_files = open_files();
-    status_.kept_files = evidence_.size();
+    status_.kept_files = archive_.size();
     status_.running = crew_.games();
     runner::write_status(folder_.status(), status_);
   }
 
-  RunResult finish(const RunResult& result) {
+  RunResult finish(RunResult result) {
     progress_.clear();
     if (result.ending == Ending::TooManyFaults) {
       status_.reason = breaker_.tripped()
@@ -375,26 +364,33 @@ class Run {
         break;
     }
     write_status();
-    if (const auto complaint = refresher_.last()) progress_.say(*complaint);
+    const auto enough = [&] {
+      const auto signal = signals_.wait(std::chrono::milliseconds{0});
+      if (!signal) return false;
+      result.ending = Ending::Interrupted;
+      result.signal = *signal;
+      return true;
+    };
+    if (const auto complaint = refresher_.last(enough)) progress_.say(*complaint);
     return result;
   }
 
   const schedule::Design& design_;
   const RunOptions& options_;
   const ResultFolder& folder_;
-  record::Ledger& ledger_;
+  LedgerWriter writer_;
   std::string experiment_;  ///< its hash
   Plan plan_;
   stopping::Watch watch_;
   Progress progress_;
   Breaker breaker_;
-  Evidence evidence_;
+  Archive archive_;
   ProgramWatch programs_;
-  Signals signals_;
+  Signals& signals_;
   Leftovers leftovers_;  ///< goes after the crew, whatever happens
   Crew crew_;
   Auditor auditor_;
-  DiskWatch disk_;
+  Storage storage_;
   Refresher refresher_;
   TimeLeft time_left_;
   Status status_;
@@ -419,22 +415,27 @@ RunResult run(const schedule::Design& design, const RunOptions& options, std::os
   const std::string hash = experiment_hash(design, files, options.protocol);
 
   const ResultFolder folder(options.out);
+  Signals signals;
+  Opening opening{.remote = options.is_remote(folder.path()), .patience = options.disk_patience};
   if (options.grown_from) {
     schedule::Design before = design;
     before.pairs = *options.grown_from;
-    record::Ledger::grow(folder.ledger(), experiment_hash(before, files, options.protocol),
-                         {hash, design.text});
-    std::error_code ignored;
-    std::filesystem::remove(folder.manifest(), ignored);  // written anew below
+    opening.before = experiment_hash(before, files, options.protocol);
   }
-  record::Ledger ledger = record::Ledger::open(folder.ledger(), {hash, design.text});
-  if (!std::filesystem::exists(folder.manifest())) {
-    write_manifest(folder.manifest(),
-                   {hash, design, files, options.version, options.protocol, options.command_line});
+  if (opening.remote) {
+    progress << folder.path().string()
+             << " is on a network file system: who reads the ledger may keep the run waiting" << std::endl;
   }
-  return Run(design, options, folder, ledger, ledger.attempts(record::Detail::WithoutTimeline), files,
-             progress)
-      .play();
+  RunResult result{Ending::Interrupted, 0, folder.path()};
+  std::optional<record::Ledger> ledger =
+      open_ledger(folder, {hash, design, files, options.version, options.protocol, options.command_line},
+                  opening, signals, result.signal, progress);
+  if (!ledger) return result;
+  const std::vector<record::Attempt> before = ledger->attempts(record::Detail::WithoutTimeline);
+  result = Run(design, options, folder, *ledger, before, files, signals, progress).play();
+  // One that goes on keeps its journal: nobody who reads it meanwhile can make the next run wait.
+  if (result.ending != Ending::Interrupted) ledger->put_together();
+  return result;
 }
 
 }  // namespace runner

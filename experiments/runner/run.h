@@ -35,10 +35,12 @@ struct RunOptions {
   std::chrono::milliseconds refresh_interval{60'000};
 
   // Seldom changed; tests do.
-  std::chrono::milliseconds start_up{60'000};            ///< of a worker until it plays
-  std::chrono::milliseconds grace{2'000};                ///< between TERM and KILL
-  std::chrono::milliseconds housekeeping{1'000};         ///< between two looks at disk, orphans, status
-  std::chrono::milliseconds disk_patience{15 * 60'000};  ///< for room on a full disk
+  std::chrono::milliseconds start_up{60'000};     ///< of a worker until it plays
+  std::chrono::milliseconds grace{2'000};         ///< between TERM and KILL
+  std::chrono::milliseconds housekeeping{1'000};  ///< between two looks at disk, orphans, status
+  std::chrono::milliseconds disk_patience{15 *
+                                          60'000};  ///< for room on a full disk, or a ledger held by others
+  std::function<bool(const std::filesystem::path&)> is_remote = runner::is_remote;  ///< the file system
   std::function<std::int64_t(const std::filesystem::path&)> free_bytes = runner::free_bytes;
   std::function<std::string()> date = utc_now;  ///< for people; nothing is decided by it
 };

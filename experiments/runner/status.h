@@ -22,7 +22,7 @@ struct Status {
   };
 
   std::string experiment;
-  std::string state;             ///< preflight, running, draining, waiting-for-disk, or how it ended
+  std::string state;  ///< preflight, running, draining, waiting-for-disk, waiting-for-ledger, or how it ended
   std::string reason;            ///< why it waits or has ended; empty while all is well
   int process = 0;               ///< number of the runner
   std::string started, updated;  ///< UTC

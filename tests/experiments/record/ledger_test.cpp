@@ -28,6 +28,20 @@ class LedgerTest : public testing::Test {
   fs::path file() const { return folder_ / "ledger.sqlite"; }
   Ledger open() const { return Ledger::open(file(), experiment_); }
 
+  void exec(const std::string& sql) const {
+    SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec(sql);
+  }
+
+  /// The file as schema 2 wrote it: without checksums.
+  void make_old(int version) const {
+    exec("ALTER TABLE attempts DROP COLUMN checksum");
+    exec("ALTER TABLE audits DROP COLUMN checksum");
+    exec("DROP TABLE files");
+    exec("DELETE FROM experiment WHERE key NOT IN ('hash', 'design')");
+    exec("PRAGMA journal_mode = DELETE");
+    exec("PRAGMA user_version = " + std::to_string(version));
+  }
+
   template <class Action>
   static std::string complaint(Action action) {
     try {
@@ -66,10 +80,15 @@ TEST_F(LedgerTest, LeavesTheTimelinesOutWhenTold) {
 
 TEST_F(LedgerTest, NamesTheGameWhoseRecordIsDamagedHoweverItIsRead) {
   open().add(example_attempt(0, 0));
-  SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("UPDATE attempts SET record = '{\"goals\"'");
+  exec("UPDATE attempts SET record = '{\"goals\"'");
   for (const Detail detail : {Detail::Whole, Detail::WithoutTimeline}) {
     EXPECT_THAT(complaint([&] { Ledger::read(file()).attempts(detail); }),
-                HasSubstr(game_id(example_attempt(0, 0).key) + ", attempt 1 cannot be read"));
+                HasSubstr("game equal-0000-0, attempt 1 is damaged: its contents are not those"));
+  }
+  make_old(2);
+  for (const Detail detail : {Detail::Whole, Detail::WithoutTimeline}) {
+    EXPECT_THAT(complaint([&] { Ledger::read(file()).attempts(detail); }),
+                HasSubstr("game equal-0000-0, attempt 1 cannot be read"));
   }
 }
 
@@ -91,7 +110,8 @@ TEST_F(LedgerTest, KeepsAuditsTheLastOfEachAttempt) {
 
 TEST_F(LedgerTest, OneWithoutAuditsIsReadAndGetsThem) {
   open();
-  SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("DROP TABLE audits");
+  make_old(2);
+  exec("DROP TABLE audits");
   EXPECT_TRUE(Ledger::read(file()).audits().empty());
   open().add(Audit{{"equal", 0, 0}, 1, Verdict::Same, "abc", ""});
   EXPECT_EQ(Ledger::read(file()).audits().size(), 1U);
@@ -99,10 +119,13 @@ TEST_F(LedgerTest, OneWithoutAuditsIsReadAndGetsThem) {
 
 TEST_F(LedgerTest, SaysWhichAuditIsDamaged) {
   open().add(Audit{{"equal", 0, 1}, 1, Verdict::Same, "abc", ""});
-  SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("UPDATE audits SET verdict = 'fine'");
-  EXPECT_THAT(
-      complaint([&] { Ledger::read(file()).audits(); }),
-      HasSubstr("audit of game equal-0000-1 cannot be read: unknown verdict 'fine'; known are: same"));
+  exec("UPDATE audits SET verdict = 'fine'");
+  EXPECT_THAT(complaint([&] { Ledger::read(file()).audits(); }),
+              HasSubstr("audit of game equal-0000-1, attempt 1 is damaged"));
+  make_old(2);
+  EXPECT_THAT(complaint([&] { Ledger::read(file()).audits(); }),
+              HasSubstr("audit of game equal-0000-1, attempt 1 cannot be read: unknown verdict 'fine'; "
+                        "known are: same"));
 }
 
 TEST_F(LedgerTest, TakesEveryAttemptOnlyOnce) {
@@ -131,7 +154,7 @@ TEST_F(LedgerTest, RefusesANewerSchemaNamingBothNumbers) {
   SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
   for (const std::string& message : {complaint([&] { open(); }), complaint([&] { Ledger::read(file()); })}) {
     EXPECT_THAT(message, HasSubstr("schema 7"));
-    EXPECT_THAT(message, HasSubstr("only up to 2"));
+    EXPECT_THAT(message, HasSubstr("only up to 3"));
   }
 }
 
@@ -152,12 +175,10 @@ TEST_F(LedgerTest, ShowsTheStatisticsAsColumnsOfTheViewGames) {
 TEST_F(LedgerTest, ReadsSchema1AndBringsItUpToDateWhenWriting) {
   Attempt old = example_attempt(0, 0);
   open().add(old);
-  {
-    SQLite::Database database(file().string(), SQLite::OPEN_READWRITE);
-    database.exec("UPDATE attempts SET record = json_remove(record, '$.statistics', '$.fouls_by_kind')");
-    database.exec("DROP VIEW games");
-    database.exec("PRAGMA user_version = 1");
-  }
+  make_old(2);
+  exec("UPDATE attempts SET record = json_remove(record, '$.statistics', '$.fouls_by_kind')");
+  exec("DROP VIEW games");
+  exec("PRAGMA user_version = 1");
   old.record.statistics.reset();
   old.record.fouls_by_kind = {};
   EXPECT_THAT(Ledger::read(file()).attempts(), ElementsAre(old));

@@ -1,15 +1,19 @@
 #include "experiments/runner/evidence.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
+#include "experiments/record/checksum.h"
 #include "tests/experiments/runner/support.h"
 
 namespace runner {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::IsEmpty;
 
 class EvidenceTest : public testing::Test {
  protected:
@@ -23,6 +27,11 @@ class EvidenceTest : public testing::Test {
     std::ofstream(place(pair) / "log") << std::string(bytes, 'x');
     return attempt;
   }
+  static std::vector<std::string> gone(const std::vector<Evidence::Place>& places) {
+    std::vector<std::string> names;
+    for (const Evidence::Place& one : places) names.push_back(one.game);
+    return names;
+  }
   fs::path place(int pair) const { return folder_.game(record::game_id({"equal", pair, 0}), 1); }
 
   TemporaryFolder temporary_;
@@ -31,25 +40,22 @@ class EvidenceTest : public testing::Test {
 
 TEST_F(EvidenceTest, KeepsFaultyAndSampledGamesOnly) {
   Evidence evidence(folder_, 1000, {});
-  evidence.ended(attempt(1, false, 10), false);
-  evidence.ended(attempt(2, false, 10), true);
-  evidence.ended(attempt(3, true, 10), false);
-  EXPECT_FALSE(fs::exists(place(1)));
-  EXPECT_TRUE(fs::exists(place(2)));
-  EXPECT_TRUE(fs::exists(place(3)));
+  EXPECT_FALSE(Evidence::keeps(attempt(1, false, 10), false));
+  EXPECT_TRUE(Evidence::keeps(attempt(2, false, 10), true));
+  EXPECT_TRUE(Evidence::keeps(attempt(3, true, 10), false));
+  evidence.add(attempt(2, false, 10));
+  evidence.add(attempt(3, true, 10));
   EXPECT_EQ(evidence.size(), 20);
 }
 
 TEST_F(EvidenceTest, DropsTheOldestSampledGamesFirst) {
   Evidence evidence(folder_, 100, {});
-  evidence.ended(attempt(1, true, 40), false);
-  evidence.ended(attempt(2, false, 30), true);
-  EXPECT_EQ(evidence.ended(attempt(3, false, 30), true), 0U);
-  EXPECT_EQ(evidence.ended(attempt(4, true, 30), false), 1U);
-  EXPECT_FALSE(fs::exists(place(2)));
-  EXPECT_EQ(evidence.ended(attempt(5, true, 60), false), 2U) << "then the faulty ones";
-  EXPECT_FALSE(fs::exists(place(1)));
-  EXPECT_FALSE(fs::exists(place(3)));
+  EXPECT_THAT(gone(evidence.add(attempt(1, true, 40))), IsEmpty());
+  EXPECT_THAT(gone(evidence.add(attempt(2, false, 30))), IsEmpty());
+  EXPECT_THAT(gone(evidence.add(attempt(3, false, 30))), IsEmpty());
+  EXPECT_THAT(gone(evidence.add(attempt(4, true, 30))), ElementsAre("equal-0002-0"));
+  EXPECT_THAT(gone(evidence.add(attempt(5, true, 60))), ElementsAre("equal-0003-0", "equal-0001-0"))
+      << "then the faulty ones";
   EXPECT_EQ(evidence.size(), 90);
 }
 
@@ -57,9 +63,18 @@ TEST_F(EvidenceTest, TakesInWhatEarlierRunsKept) {
   const std::vector<record::Attempt> before = {attempt(1, true, 40), attempt(2, false, 30)};
   Evidence evidence(folder_, 80, before);
   EXPECT_EQ(evidence.size(), 70);
-  evidence.ended(attempt(3, true, 30), false);
-  EXPECT_TRUE(fs::exists(place(1)));
-  EXPECT_FALSE(fs::exists(place(2)));
+  EXPECT_THAT(gone(evidence.add(attempt(3, true, 30))), ElementsAre("equal-0002-0"));
+}
+
+TEST_F(EvidenceTest, NamesSizesAndChecksumsOfFiles) {
+  attempt(1, true, 40);
+  fs::create_directories(place(1) / "deeper");
+  std::ofstream(place(1) / "deeper/empty").close();
+  EXPECT_THAT(
+      files_in(folder_.path(), place(1)),
+      ElementsAre(record::KeptFile{"games/equal-0001-0/1/deeper/empty", 0, record::checksum("")},
+                  record::KeptFile{"games/equal-0001-0/1/log", 40, record::checksum(std::string(40, 'x'))}));
+  EXPECT_THAT(files_in(folder_.path(), place(2)), IsEmpty());
 }
 
 TEST(SamplingNumber, IsEvenlySpreadAndTheSameInEveryRun) {

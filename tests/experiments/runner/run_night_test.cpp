@@ -1,5 +1,6 @@
 // What can go wrong in a night besides the games: the disk, the ledger, the programs, the clock, the user.
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sched.h>
@@ -7,9 +8,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "experiments/process/family.h"
+#include "experiments/record/checksum.h"
+#include "experiments/runner/evidence.h"
 #include "tests/experiments/runner/run_fixture.h"
 #include "tests/fakes/programs.h"
 
@@ -93,6 +97,62 @@ TEST_F(Night, SecondSignalStopsAtOnce) {
 TEST_F(Night, AWorkerThatWasInterruptedByItselfIsAVoidGameThatIsPlayedAgain) {
   EXPECT_EQ(play(options("a", {"--fail", "first", "--how", "interrupted"})), Ending::Done);
   EXPECT_GT(table("a").size(), 16U);
+}
+
+TEST_F(Night, OneSignalEndsTheWaitingForRoomOnTheDisk) {
+  RunOptions full = options("a");
+  full.limits.free_disk = 500;
+  int asked = 0;
+  full.free_bytes = [&asked](const fs::path&) { return std::int64_t{++asked > 1 ? 100 : 1000} << 20; };
+  full.housekeeping = 1ms;
+  const pid_t child = play_elsewhere(full);
+  ASSERT_TRUE(soon([&] { return status("a").find("waiting-for-disk") != std::string::npos; }));
+  ::kill(child, SIGTERM);
+  EXPECT_EQ(code_of(child), 128 + SIGTERM);  // or the test takes a quarter of an hour
+  EXPECT_THAT(status("a"), HasSubstr("\"state\": \"interrupted\""));
+  EXPECT_EQ(play(options("a")), Ending::Done);
+  EXPECT_EQ(table("a"), expected());
+}
+
+TEST_F(Night, OneSignalEndsThePreflight) {
+  RunOptions slow = options("a", {"--milliseconds", "100000"});
+  slow.preflight = true;
+  const pid_t child = play_elsewhere(slow);
+  ASSERT_TRUE(soon([&] { return status("a").find("\"preflight\"") != std::string::npos; }));
+  ::kill(child, SIGTERM);
+  EXPECT_EQ(code_of(child), 128 + SIGTERM);
+  EXPECT_TRUE(nobody_left());
+}
+
+TEST_F(Night, ASignalDuringTheLastReportEndsIt) {
+  RunOptions reporting = options("a");
+  reporting.refresh_command = {"sh", "-c", "touch " + (folder_.path() / "begun").string() + "; sleep 100"};
+  const pid_t child = play_elsewhere(reporting);
+  ASSERT_TRUE(soon([&] { return fs::exists(folder_.path() / "begun"); }));
+  ::kill(child, SIGTERM);
+  EXPECT_EQ(code_of(child), 128 + SIGTERM);  // or the test takes 100 s
+  EXPECT_EQ(table("a").size(), 16U);
+}
+
+TEST_F(Night, FilesThatAreKeptAreInTheLedgerAsTheyAre) {
+  RunOptions sampling = options("a", {"--fail", "first", "--how", "forfeit"});
+  sampling.limits.sampled = 0.5;
+  play(sampling);
+  const fs::path root = folder_.path() / "a";
+  std::vector<record::KeptFile> there = files_in(root, root / "games");
+  ASSERT_FALSE(there.empty());
+  there.push_back({"manifest.json", static_cast<std::int64_t>(fs::file_size(root / "manifest.json")),
+                   record::checksum_of_file(root / "manifest.json")});
+  EXPECT_EQ(record::Ledger::read(root / "ledger.sqlite").files(), there);
+  sampling.limits.kept_logs = 0;
+  sampling.limits.sampled = 1;
+  design_.pairs = 5;
+  sampling.grown_from = 4;
+  play(sampling);
+  EXPECT_FALSE(fs::exists(root / "games"));
+  there = record::Ledger::read(root / "ledger.sqlite").files();
+  ASSERT_EQ(there.size(), 1U) << "what is thrown away is forgotten";
+  EXPECT_EQ(there[0].checksum, record::checksum_of_file(root / "manifest.json"));
 }
 
 // --- before the night
@@ -306,11 +366,13 @@ class NightDisk : public Night {
 
 TEST_F(NightDisk, FullInTheMiddleLosesNothing) {
   const std::vector<record::Attempt> right = expected();
-  const int code = on_small_disk("size=256k", [&](const fs::path& disk) {
+  const int code = on_small_disk("size=512k", [&](const fs::path& disk) {
     RunOptions small = options("x");
     small.out = disk / "a";
-    // Leave some pages: enough to begin, not enough for the ledger and the games' files.
-    const std::int64_t ballast = free_bytes(disk) - (std::int64_t{72} << 10);
+    small.disk_patience = 300ms;
+    // Leave some pages: enough to begin (36 KiB of ledger, its log and 32 KiB of shared memory beside it, the
+    // manifest), not enough for the ledger and the games' files.
+    const std::int64_t ballast = free_bytes(disk) - (std::int64_t{180} << 10);
     { std::ofstream(disk / "ballast") << std::string(static_cast<std::size_t>(ballast), 'x'); }
     std::string problem;
     Ending ending{};
@@ -430,6 +492,152 @@ TEST_F(Night, TwoRunsAtOnceDoNotMix) {
   EXPECT_GE(codes.count(0), 1U);
   EXPECT_EQ(codes.count(0) + codes.count(5), 5U);
   EXPECT_EQ(table("a"), expected());
+}
+
+/// A ledger that another program uses, as somebody with sqlite3 does.
+class NightLedger : public Night {
+ protected:
+  fs::path ledger(const std::string& folder) const { return folder_.path() / folder / "ledger.sqlite"; }
+  SQLite::Database other(const std::string& folder) const {
+    return SQLite::Database(ledger(folder).string(), SQLite::OPEN_READWRITE, 10'000);
+  }
+  /// Another program that holds it until it is killed. A process of its own: a fork of ours would inherit
+  /// what SQLite knows of our locks.
+  pid_t hold(const std::string& folder, const std::string& how) const {
+    const fs::path held = folder_.path() / "held";
+    fs::remove(held);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      SQLite::Database database = other(folder);
+      database.exec(how);
+      std::ofstream(held).close();
+      for (;;) ::pause();
+    }
+    EXPECT_TRUE(soon([&] { return fs::exists(held); }));
+    return child;
+  }
+  static void release(pid_t holder) {
+    ::kill(holder, SIGKILL);
+    ::waitpid(holder, nullptr, 0);
+  }
+  /// A run that ended early, so that there is a ledger with games.
+  void begin(const std::string& folder) {
+    const pid_t child = play_elsewhere(options(folder, {"--milliseconds", "50"}));
+    ASSERT_TRUE(soon([&] { return status(folder).find("\"played\": 2") != std::string::npos; }));
+    ::kill(child, SIGTERM);
+    EXPECT_EQ(code_of(child), 128 + SIGTERM);
+  }
+};
+
+TEST_F(NightLedger, SomebodyInTheMiddleOfAQueryIsNotWaitedFor) {
+  begin("a");
+  const std::size_t before = table("a").size();
+  ASSERT_LT(before, 16U);
+  SQLite::Database database = other("a");
+  SQLite::Statement rows(database, "SELECT game FROM attempts");
+  ASSERT_TRUE(rows.executeStep());  // and goes on with it when all games are played
+  EXPECT_EQ(play(options("a")), Ending::Done);
+  EXPECT_THAT(said_, Not(HasSubstr("another program")));
+  std::size_t seen = 1;
+  while (rows.executeStep()) ++seen;
+  EXPECT_EQ(seen, before);
+  EXPECT_EQ(table("a"), expected());
+}
+
+TEST_F(NightLedger, SomebodyWhoWritesIsWaitedForAndNoGameIsLost) {
+  begin("a");
+  SQLite::Database database = other("a");
+  database.exec("BEGIN IMMEDIATE");
+  std::thread release([&] {
+    EXPECT_TRUE(soon([&] { return status("a").find("waiting-for-ledger") != std::string::npos; }));
+    std::this_thread::sleep_for(300ms);
+    EXPECT_LE(std::stoi(status("a").substr(status("a").find("\"played\": ") + 10)), 2)
+        << "one for each place, then no game is started";
+    database.exec("ROLLBACK");
+  });
+  RunOptions waiting = options("a", {"--milliseconds", "20"});
+  EXPECT_EQ(play(waiting), Ending::Done);
+  release.join();
+  EXPECT_THAT(said_, AllOf(HasSubstr("another program holds the ledger"), HasSubstr("can be written again")));
+  EXPECT_EQ(said_.find("no game is started"), said_.rfind("no game is started")) << "said once";
+  EXPECT_EQ(table("a"), expected());
+}
+
+TEST_F(NightLedger, PatienceWithSomebodyWhoWritesComesToAnEnd) {
+  begin("a");
+  const std::size_t before = table("a").size();
+  {
+    SQLite::Database database = other("a");
+    database.exec("BEGIN IMMEDIATE");
+    RunOptions impatient = options("a");
+    impatient.disk_patience = 300ms;
+    EXPECT_THAT(complaint(impatient), AllOf(HasSubstr("another program holds"), HasSubstr("played again")));
+    EXPECT_THAT(status("a"), HasSubstr("storage-trouble"));
+  }
+  EXPECT_EQ(table("a").size(), before);
+  EXPECT_EQ(play(options("a")), Ending::Done);
+  EXPECT_EQ(table("a"), expected());
+}
+
+TEST_F(NightLedger, OneSignalEndsTheWaitingForIt) {
+  begin("a");
+  const pid_t holder = hold("a", "BEGIN IMMEDIATE");
+  const pid_t child = play_elsewhere(options("a"));
+  ASSERT_TRUE(soon([&] { return status("a").find("waiting-for-ledger") != std::string::npos; }));
+  ::kill(child, SIGTERM);
+  EXPECT_EQ(code_of(child), 128 + SIGTERM);  // or the test takes a quarter of an hour
+  release(holder);
+  EXPECT_EQ(play(options("a")), Ending::Done);
+  EXPECT_EQ(table("a"), expected());
+}
+
+TEST_F(NightLedger, OneThatIsHeldAsAWholeIsWaitedForBeforeTheFirstGame) {
+  play(options("a"));
+  for (const bool signalled : {true, false}) {
+    const pid_t holder = hold("a", "BEGIN EXCLUSIVE");
+    const pid_t child = play_elsewhere(options("a"));
+    std::this_thread::sleep_for(500ms);
+    EXPECT_EQ(::waitpid(child, nullptr, WNOHANG), 0) << "it waits";
+    if (signalled) ::kill(child, SIGINT);
+    if (!signalled) release(holder);
+    EXPECT_EQ(code_of(child), signalled ? 128 + SIGINT : 0);
+    if (signalled) release(holder);
+  }
+  EXPECT_EQ(table("a"), expected());
+}
+
+TEST_F(NightLedger, OnANetworkFileSystemItHasARollbackJournal) {
+  begin("a");
+  RunOptions remote = options("a", {"--milliseconds", "20"});
+  remote.is_remote = [](const fs::path&) { return true; };
+  remote.refresh_interval = 20ms;
+  remote.refresh_command = {
+      "sh", "-c", "ls " + (folder_.path() / "a").string() + " >> " + (folder_.path() / "seen").string()};
+  EXPECT_EQ(play(remote), Ending::Done);
+  EXPECT_THAT(said_, HasSubstr("network file system"));
+  std::ifstream stream(folder_.path() / "seen");
+  const std::string seen((std::istreambuf_iterator<char>(stream)), {});
+  EXPECT_THAT(seen, AllOf(HasSubstr("ledger.sqlite"), Not(HasSubstr("-shm")), Not(HasSubstr("-wal"))));
+  EXPECT_EQ(table("a"), expected());
+}
+
+TEST(NetworkFileSystems, AreToldFromOthers) {
+  EXPECT_TRUE(is_remote_type(0x6969));       // NFS
+  EXPECT_TRUE(is_remote_type(0xFF534D42));   // CIFS
+  EXPECT_TRUE(is_remote_type(0x65735546));   // FUSE
+  EXPECT_FALSE(is_remote_type(0xEF53));      // ext4
+  EXPECT_FALSE(is_remote_type(0x9123683E));  // btrfs
+  EXPECT_FALSE(is_remote_type(0x01021994));  // tmpfs
+  EXPECT_FALSE(is_remote_type(0x794C7630));  // overlayfs
+  EXPECT_FALSE(is_remote("/dev/shm"));
+}
+
+TEST_F(Night, AfterARunTheLedgerIsOneFile) {
+  play(options("a"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "a/ledger.sqlite-wal"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "a/ledger.sqlite-shm"));
+  SQLite::Database database((folder_.path() / "a/ledger.sqlite").string());
+  EXPECT_EQ(database.execAndGet("PRAGMA journal_mode").getString(), "delete");
 }
 
 // --- programs and clocks
