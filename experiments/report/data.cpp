@@ -290,6 +290,13 @@ std::string csv_cell(const std::string& value) {
   return text + "\"";
 }
 
+/// The name of a column; those of sweeps have keys of the design in them.
+std::string csv_name(const std::string& name) {
+  const bool plain =
+      name.find_first_of(",;\"'\n\r\t") == std::string::npos && console::printable(name) == name;
+  return plain ? name : csv_cell(record::quoted(name));
+}
+
 }  // namespace
 
 std::string as_json(const Summary& summary) {
@@ -323,7 +330,7 @@ std::string as_csv(const Summary& summary) {
   std::string text;
   const auto line = [&text](const std::string& forfeits, const Fields& fields, bool names) {
     text += forfeits;
-    for (const auto& [name, value] : fields) text += "," + (names ? name : csv_cell(value));
+    for (const auto& [name, value] : fields) text += "," + (names ? csv_name(name) : csv_cell(value));
     text += "\n";
   };
   const Extras extras(summary);

@@ -227,5 +227,13 @@ TEST(Csv, HasNoFormulaFromNames) {
   EXPECT_THAT(as_csv(hostile()), HasSubstr("\ncounted,\"'=1+1|`x`<b>\\end"));
 }
 
+TEST(Csv, HasOneColumnForAKeyWhateverIsInIt) {
+  Summary summary = example();
+  summary.header.conditions[0].values["a.--flag,\"x\"\n=1"] = 2;
+  const std::string text = as_csv(summary);
+  EXPECT_THAT(text, HasSubstr(",\"value_a.--flag,\"\"x\"\" =1\""));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << "the names, two conditions";
+}
+
 }  // namespace
 }  // namespace report
