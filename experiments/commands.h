@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/bench/bench.h"
+#include "experiments/isolation.h"
 
 // The subcommands of matchday: each takes what the command line said and returns the program's exit code.
 //
@@ -49,6 +50,7 @@ struct PlayOptions {
   bool winner = false;
   bool blue_on_negative_half = false;
   bool blue_kicks_off = false;
+  IsolationOptions isolation;
   OutputOptions output;
 };
 /// One game, told as it happens.
@@ -58,6 +60,7 @@ struct ContinueOptions {
   std::filesystem::path recording;
   std::optional<double> from;  ///< [s] when live teams take over; nothing: the recorded ones play to the end
   std::string blue, yellow;    ///< commands; empty: the recorded ones
+  IsolationOptions isolation;
   OutputOptions output;
 };
 /// A recorded game again, up to a moment or to its end.
@@ -98,7 +101,8 @@ struct CompareOptions {
   std::optional<double> half_length;  ///< [s]
   bool sequential = false;            ///< stop as soon as a sequential test has an answer
   double h1 = 0.2;                    ///< of that test, in standard deviations of a game's goal difference
-  RunOptions run_options;             ///< its design is written by compare
+  IsolationOptions isolation;
+  RunOptions run_options;  ///< its design is written by compare
 };
 /// Builds two revisions of a team and lets them play each other: writes a design and runs it.
 int compare(const CompareOptions& options);
@@ -127,6 +131,8 @@ struct WorkerOptions {
   std::filesystem::path result;
   std::int64_t team_memory = 2048;  ///< [MiB] a team may hold
   std::int64_t output = 4;          ///< [MiB] kept of what a team prints
+  IsolationOptions isolation{"none", {}};
+  std::vector<std::filesystem::path> hidden;  ///< folders that isolated teams do not see
 };
 /// One game for a runner.
 int worker(const WorkerOptions& options);
@@ -152,6 +158,8 @@ int judge(const JudgeOptions& options);
 struct JudgeGameOptions {
   std::filesystem::path job;
   std::filesystem::path result;
+  IsolationOptions isolation{"none", {}};
+  std::vector<std::filesystem::path> hidden;  ///< folders that isolated teams do not see
 };
 /// One game for `judge`.
 int judge_game(const JudgeGameOptions& options);
@@ -160,6 +168,6 @@ int judge_game(const JudgeGameOptions& options);
 int realism(const RealismOptions& options);
 
 /// The cost table.
-int bench(const bench::BenchOptions& options, const RealismOptions& realism);
+int bench(const bench::BenchOptions& options, const RealismOptions& realism, const std::string& isolation);
 
 }  // namespace commands

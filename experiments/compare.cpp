@@ -57,6 +57,16 @@ std::string design_text(const CompareOptions& options, const std::string& name, 
       record::quoted(fmt::format("{} (A, commit {}) against {} (B, commit {})", options.next,
                                  next_commit.substr(0, digits), options.base, base_commit.substr(0, digits))),
       options.seed, options.games, record::quoted(options.realism), record::quoted(options.rules));
+  if (!options.isolation.level.empty()) {
+    text.insert(text.find("\n[rules]"), "isolation = " + record::quoted(options.isolation.level) + "\n");
+  }
+  if (!options.isolation.visible.empty()) {
+    std::string paths;
+    for (const fs::path& path : visible_paths(options.isolation.visible, "--visible")) {
+      paths += (paths.empty() ? "" : ", ") + record::quoted(path.string());
+    }
+    text.insert(text.find("\n[rules]"), "visible = [" + paths + "]\n");
+  }
   if (options.half_length) text += fmt::format("half_length = {}\n", record::number(*options.half_length));
   if (options.sequential) {
     text +=
@@ -78,6 +88,11 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+/// What does not change games.
+bool is_no_matter(const std::string& line) {
+  return line.starts_with("description") || line.starts_with("isolation") || line.starts_with("visible");
+}
+
 /// The games a design of ours asks for.
 int games_of(const std::vector<std::string>& design) {
   for (const std::string& line : design) {
@@ -91,13 +106,13 @@ int games_of(const std::vector<std::string>& design) {
 }
 
 /// The first line in which two designs of ours differ, but for the number of games; empty: none.
-std::string difference(const std::vector<std::string>& there, const std::vector<std::string>& here) {
+std::string difference(std::vector<std::string> there, std::vector<std::string> here) {
+  std::erase_if(there, is_no_matter);
+  std::erase_if(here, is_no_matter);
   for (std::size_t i = 0; i < std::max(there.size(), here.size()); ++i) {
     const std::string one = i < there.size() ? there[i] : "nothing";
     const std::string other = i < here.size() ? here[i] : "nothing";
-    if (one == other || one.starts_with("description") ||
-        (one.starts_with(games_key) && other.starts_with(games_key)))
-      continue;
+    if (one == other || (one.starts_with(games_key) && other.starts_with(games_key))) continue;
     return "`" + one + "` there, `" + other + "` here";
   }
   return "";
@@ -167,6 +182,7 @@ int compare(const CompareOptions& options) {
   if (options.base.find('\n') != std::string::npos || options.next.find('\n') != std::string::npos) {
     throw std::invalid_argument("a revision must be one line");
   }
+  asked_isolation(options.isolation.level);
   if (!std::isfinite(options.h1)) throw std::invalid_argument("--h1: must be a number, as 0.2");
   if (options.seed > std::uint64_t{std::numeric_limits<std::int64_t>::max()}) {
     throw std::invalid_argument("--seed: must be from 0 to 9223372036854775807, the largest number of TOML");

@@ -50,7 +50,7 @@ int continue_game(const ContinueOptions& options) {
     throw std::invalid_argument("--record " + config.recording->string() +
                                 ": is the recording that is being played; give another file");
   }
-  return tell_one_game(config, options.output.json, options.output.explain);
+  return tell_one_game(config, options.output.json, options.output.explain, options.isolation);
 }
 
 }  // namespace commands

@@ -59,7 +59,10 @@ std::string read(const fs::path& file) {
 class Judging {
  public:
   Judging(const JudgeOptions& options, const schedule::Design& design)
-      : folder_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out),
+      : isolation_(chosen_isolation(options.again.empty() ? design.isolation : process::Isolation::None,
+                                    options.design.string() + ": isolation =")),
+        visible_(visible_paths(design.visible, options.design.string() + ": visible =")),
+        folder_(options.out.empty() ? fs::path("results") / ("judge-" + design.name) : options.out),
         keep_(options.keep),
         again_(options.again) {
     if (!keep_.empty() && fs::exists(keep_) && !fs::is_directory(keep_)) {
@@ -104,6 +107,7 @@ class Judging {
   }
 
   const fs::path& folder() const { return folder_; }
+  const std::string& isolation() const { return isolation_.sentence; }
   std::size_t count() const { return games_.size(); }
   const std::vector<judge::ShadowConfig>& shadows() const { return shadows_; }
 
@@ -182,8 +186,8 @@ class Judging {
     const fs::path file = folder_ / "experiment";
     if (!fs::exists(file)) {
       process::write_whole(file, identity + "\n");
-      runner::write_manifest(folder_ / "manifest.json",
-                             {identity, design, files, options.version, protocol, options.command_line});
+      runner::write_manifest(folder_ / "manifest.json", {identity, design, files, options.version, protocol,
+                                                         options.command_line, isolation_.sentence});
     } else if (read(file) != identity + "\n") {
       throw record::StorageError(
           folder_.string() + ": holds another experiment (other design, programs or shadows): " +
@@ -199,6 +203,8 @@ class Judging {
     process::write_whole(job, judge::to_json(its));
     process::Command command;
     command.arguments = {own_program(), "judge-game", job.string(), result_file(n).string()};
+    const std::vector<std::string> flags = worker_flags(isolation_.level, visible_, folder_);
+    command.arguments.insert(command.arguments.end(), flags.begin(), flags.end());
     command.output = folder_ / "games" / (id(n) + ".log");
     command.cpu = cpu;
     return std::make_unique<process::Child>(command);
@@ -218,6 +224,8 @@ class Judging {
               << std::endl;
   }
 
+  ChosenIsolation isolation_;
+  std::vector<fs::path> visible_;
   std::optional<runner::ResultFolder> held_;  // against a second run
   fs::path folder_;
   fs::path keep_, again_;  // where recordings are written, or read
@@ -301,6 +309,8 @@ int show(const schedule::Design& design, const JudgeOptions& options) {
   }
   runner::Signals signals;
   host::Options settings;
+  settings.isolation = chosen_isolation(design.isolation, options.design.string() + ": isolation =").level;
+  settings.visible = visible_paths(design.visible, options.design.string() + ": visible =");
   settings.cpu = ::sched_getcpu();
   bool over = false;
   bool stopped = false;
@@ -339,7 +349,8 @@ int judge(const JudgeOptions& options) {
   std::cerr << fmt::format("{}: {} games, realism {}, rule set {}, {} shadows, results in {}", design.name,
                            judging.count(), record::text(design.realism), design.rules,
                            judging.shadows().size(), judging.folder().string())
-            << std::endl;
+            << std::endl
+            << judging.isolation() << std::endl;
   const std::optional<int> signal = judging.play(options.workers);
 
   const std::vector<judge::GameResult> games = judging.results();
@@ -371,7 +382,7 @@ int judge(const JudgeOptions& options) {
 int judge_game(const JudgeGameOptions& options) {
   const judge::Job job = judge::job_from_json(read(options.job));
   runner::Signals signals;
-  host::Options settings;
+  host::Options settings = game_as_told(options.isolation, options.hidden);
   bool interrupted = false;
   settings.interrupted = [&] {
     interrupted = interrupted || signals.wait(std::chrono::milliseconds{0}).has_value();

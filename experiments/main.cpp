@@ -84,6 +84,23 @@ void add_output(CLI::App& app, commands::OutputOptions& options) {
                "after each call a line of JSON: what was seen, thresholds, alternatives");
 }
 
+void add_isolation(CLI::App& app, commands::IsolationOptions& options) {
+  app.add_option(
+      "--isolation", options.level,
+      "what teams see of the machine: none (all), files (own home, temporary files and processes), "
+      "network (no network either); default: the strongest that is possible");
+  app.add_option("--visible", options.visible,
+                 "file or folder of the home that isolated teams may read nevertheless; may be repeated")
+      ->allow_extra_args(false);
+}
+
+/// The same for a worker, which is told what was chosen.
+void add_worker_isolation(CLI::App& app, commands::IsolationOptions& options,
+                          std::vector<std::filesystem::path>& hidden) {
+  add_isolation(app, options);
+  app.add_option("--hide", hidden)->allow_extra_args(false);
+}
+
 void add_play(CLI::App& main, commands::PlayOptions& options) {
   CLI::App& app = *main.add_subcommand("play", "play one game and tell every call");
   add_team(app, "blue", options.blue);
@@ -98,6 +115,7 @@ void add_play(CLI::App& main, commands::PlayOptions& options) {
   app.add_flag("--winner", options.winner, "a draw is followed by extra time and a penalty shoot-out");
   app.add_flag("--blue-on-negative-half", options.blue_on_negative_half, "blue defends the goal at -x first");
   app.add_flag("--blue-kicks-off", options.blue_kicks_off, "blue has the first kickoff");
+  add_isolation(app, options.isolation);
   add_output(app, options.output);
 }
 
@@ -110,6 +128,7 @@ void add_continue(CLI::App& main, commands::ContinueOptions& options) {
       ->check(CLI::Range(0.0, 2400.0));
   app.add_option("--blue", options.blue, "another command for the blue team");
   app.add_option("--yellow", options.yellow, "another command for the yellow team");
+  add_isolation(app, options.isolation);
   add_output(app, options.output);
 }
 
@@ -156,6 +175,7 @@ void add_compare(CLI::App& main, commands::CompareOptions& options) {
       ->capture_default_str();
   app.add_option("--half-length", options.half_length, "seconds of a half, if not the rule set's")
       ->check(half_length);
+  add_isolation(app, options.isolation);
   app.add_option("--out", options.run_options.out, "result folder, if not results/compare-BASE-NEXT-COMMITS");
   app.add_option("--workers", options.run_options.workers, "games at a time, if not one per processor")
       ->check(CLI::Range(1, 1024));
@@ -186,7 +206,8 @@ void add_replay(CLI::App& main, commands::ReplayOptions& options) {
                "from the teams' recorded replies instead of live teams; kept of faulty and sampled games");
 }
 
-void add_bench(CLI::App& main, bench::BenchOptions& options, commands::RealismOptions& realism) {
+void add_bench(CLI::App& main, bench::BenchOptions& options, commands::RealismOptions& realism,
+               std::string& isolation) {
   CLI::App& app =
       *main.add_subcommand("bench", "play the standard game and print what each part of a tick costs");
   app.add_option("--seed", options.game.seed, "the only source of chance")
@@ -197,6 +218,7 @@ void add_bench(CLI::App& main, bench::BenchOptions& options, commands::RealismOp
       ->check(half_length);
   app.add_option("--cpu", options.cpu, "processor for host and teams; -1: wherever the system likes")
       ->capture_default_str();
+  app.add_option("--isolation", isolation, "of the teams: none, files, network")->capture_default_str();
   app.add_option("--workers", options.workers,
                  "games at once, for the games per hour: 0 for none, -1 for one per processor")
       ->check(CLI::Range(-1, 1024))
@@ -244,6 +266,7 @@ void add_judge_game(CLI::App& main, commands::JudgeGameOptions& options) {
   CLI::App& app = *main.add_subcommand("judge-game", "one game for judge")->group("");
   app.add_option("job", options.job)->required();
   app.add_option("result", options.result)->required();
+  add_worker_isolation(app, options.isolation, options.hidden);
 }
 
 void add_worker(CLI::App& main, commands::WorkerOptions& options) {
@@ -252,6 +275,7 @@ void add_worker(CLI::App& main, commands::WorkerOptions& options) {
   app.add_option("result", options.result)->required();
   app.add_option("--team-memory", options.team_memory, "[MiB]");
   app.add_option("--output", options.output, "[MiB]");
+  add_worker_isolation(app, options.isolation, options.hidden);
 }
 
 /// CLI11 would only say that a command is missing.
@@ -300,6 +324,7 @@ int matchday(int argc, char** argv) {
   commands::JudgeGameOptions judge_game;
   bench::BenchOptions bench;
   commands::RealismOptions bench_realism;
+  std::string bench_isolation = "none";  // so that figures of all machines can be compared
   commands::RealismOptions realism;
   add_play(app, play);
   add_continue(app, continuation);
@@ -308,7 +333,7 @@ int matchday(int argc, char** argv) {
   add_compare(app, compare);
   add_report(app, report);
   add_replay(app, replay);
-  add_bench(app, bench, bench_realism);
+  add_bench(app, bench, bench_realism, bench_isolation);
   add_show_realism(app, realism);
   add_worker(app, worker);
   add_judge(app, judge);
@@ -341,7 +366,7 @@ int matchday(int argc, char** argv) {
     judge.command_line.assign(argv, argv + argc);
     return commands::judge(judge);
   }
-  if (app.got_subcommand("bench")) return commands::bench(bench, bench_realism);
+  if (app.got_subcommand("bench")) return commands::bench(bench, bench_realism, bench_isolation);
   if (app.got_subcommand("realism")) return commands::realism(realism);
   if (app.got_subcommand("compare")) {
     compare.run_options.version = MATCHDAY_VERSION;

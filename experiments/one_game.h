@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "experiments/host/play.h"
+#include "experiments/isolation.h"
 #include "experiments/record/match_config.h"
 #include "experiments/record/match_record.h"
 
@@ -22,7 +23,9 @@ OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls, bo
                       host::Options settings = {});
 
 /// Checks the configuration, plays it and tells all of it, as text or JSON.
+/// @param isolation  what the teams see
 /// @return  the exit code
-int tell_one_game(const record::MatchConfig& config, bool json, bool explain);
+int tell_one_game(const record::MatchConfig& config, bool json, bool explain,
+                  const IsolationOptions& isolation);
 
 }  // namespace commands

@@ -123,7 +123,10 @@ Speed calibrate(schedule::Design& design, const std::filesystem::path& folder) {
   record::MatchConfig config = schedule::game(design, 0).config;
   config.half_length = std::min(calibration_half, half_of(design));
   config.winner = false;
-  const OneGame game = play_one_game(config, nullptr);
+  host::Options settings;
+  settings.isolation = chosen_isolation(design.isolation, "isolation =").level;
+  settings.visible = visible_paths(design.visible, "visible =");
+  const OneGame game = play_one_game(config, nullptr, false, settings);
   if (game.record.at_fault != record::Party::Nobody) {
     throw std::invalid_argument(
         "the short game that measures the pace ended by a fault: " + game.record.reason +

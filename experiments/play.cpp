@@ -63,18 +63,23 @@ int play(const PlayOptions& options) {
   config.log = options.output.log;
   config.recording = options.output.recording;
   config.directory = options.output.team_logs;
-  return tell_one_game(config, options.output.json, options.output.explain);
+  return tell_one_game(config, options.output.json, options.output.explain, options.isolation);
 }
 
-int tell_one_game(const record::MatchConfig& config, bool json, bool explain) {
+int tell_one_game(const record::MatchConfig& config, bool json, bool explain,
+                  const IsolationOptions& isolation) {
   check_temporary_folder(Games::Here);
   host::check(config);
   check_output("--log", config.log, ".log");
   check_output("--record", config.recording, ".replies");
   if (!config.directory.empty()) make_folder(config.directory, "--team-logs");
 
+  const bool live = !config.continuation || config.continuation->tick;
+  std::string sentence;
+  const host::Options settings = live ? isolated_game(isolation, &sentence) : host::Options{};
+  if (live && !json) std::cout << sentence << "\n";
   if (!json) tell_circumstances(config, std::cout);
-  const OneGame game = play_one_game(config, json ? nullptr : &std::cout, explain);
+  const OneGame game = play_one_game(config, json ? nullptr : &std::cout, explain, settings);
   if (json) {
     std::cout << "{\"config\":" << record::to_json(config) << ",\"record\":" << record::to_json(game.record)
               << "}\n";

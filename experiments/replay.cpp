@@ -81,6 +81,11 @@ int replay(const ReplayOptions& options) {
   config.directory = options.team_logs;
   if (!config.directory.empty()) std::filesystem::create_directories(config.directory);
   host::Options settings;
+  if (!options.recorded) {
+    settings.isolation = chosen_isolation(experiment.design.isolation, "isolation =").level;
+    settings.visible = visible_paths(experiment.design.visible, "visible =");
+    settings.hidden = {std::filesystem::weakly_canonical(std::filesystem::absolute(options.folder))};
+  }
   settings.memory_limit = experiment.design.limits.team_memory << 20;
   if (options.recorded) {
     config.continuation = record::Continuation{replies_of(options.folder, attempt), std::nullopt};

@@ -47,6 +47,12 @@ int run(const RunOptions& options) {
   settings.worker_command = {own_program(),   "worker",
                              "--team-memory", std::to_string(design.limits.team_memory),
                              "--output",      std::to_string(design.limits.output)};
+  const ChosenIsolation isolation =
+      chosen_isolation(design.isolation, options.design.string() + ": isolation =");
+  const std::vector<std::string> flags = worker_flags(
+      isolation.level, visible_paths(design.visible, options.design.string() + ": visible ="), settings.out);
+  settings.worker_command.insert(settings.worker_command.end(), flags.begin(), flags.end());
+  settings.isolation = isolation.sentence;
   if (!options.worker.empty()) settings.worker_command = schedule::split_command(options.worker);
   settings.version = options.version;
   settings.grown_from = options.grown_from;
@@ -58,6 +64,7 @@ int run(const RunOptions& options) {
   std::cerr << design.name << ": " << schedule::game_count(design) << " games, realism "
             << record::text(design.realism) << ", rule set " << design.rules << ", results in "
             << settings.out.string() << std::endl;
+  std::cerr << isolation.sentence << std::endl;
   if (design.stopping.rule != schedule::StopRule::Fixed) {
     std::cerr << "stopping: " << stopping::rule(design) << std::endl;
   }

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "experiments/host/play.h"
+#include "experiments/isolation.h"
 #include "experiments/record/ledger.h"
 #include "experiments/runner/program_files.h"
 #include "experiments/schedule/schedule.h"
@@ -28,6 +29,7 @@ schedule::Design checked_design(const std::filesystem::path& file) {
     if (!condition.b_source) runner::team_files(condition.b, who + "b");
     host::check(schedule::game(design, 2 * i).config);
   }
+  visible_paths(design.visible, file.string() + ": visible =");
   return design;
 }
 

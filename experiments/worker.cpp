@@ -10,7 +10,7 @@ namespace commands {
 
 int worker(const WorkerOptions& options) {
   runner::Signals signals;
-  host::Options settings;
+  host::Options settings = game_as_told(options.isolation, options.hidden);
   settings.cpu =
       ::sched_getcpu();  // the one the runner has bound us to; there the game's processes take turns
   settings.interrupted = [&signals] { return signals.wait(std::chrono::milliseconds{0}).has_value(); };

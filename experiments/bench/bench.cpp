@@ -83,6 +83,7 @@ Figures measure(const BenchOptions& options) {
   host::Stopwatch stopwatch;
   host::Options how;
   how.stopwatch = &stopwatch;
+  how.isolation = options.isolation;
   const host::PrivateDirectory logs;
   record::MatchConfig game = options.game;
   if (game.directory.empty()) game.directory = logs.path();

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "experiments/bench/figures.h"
+#include "experiments/process/isolation.h"
 #include "experiments/record/match_config.h"
 
 namespace bench {
@@ -20,7 +21,8 @@ struct BenchOptions {
   /// Teams are told `--timing on` while the game is measured, for median and 99 % of their ticks; false for
   /// teams that do not know it.
   bool team_times = true;
-  bool as_json = false;   ///< JSON instead of the table
+  process::Isolation isolation = process::Isolation::None;  ///< of the teams; costs a start, not a tick
+  bool as_json = false;                                     ///< JSON instead of the table
   std::string compare{};  ///< file of older figures to be compared with; empty: none
 };
 

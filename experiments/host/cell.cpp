@@ -1,5 +1,8 @@
 #include "experiments/host/cell.h"
 
+#include <algorithm>
+#include <string>
+
 #include "experiments/host/messages.h"
 
 namespace host {
@@ -21,7 +24,9 @@ process::Cell cell_of(world::Team team, const record::MatchConfig& config, const
   hide({std::filesystem::temp_directory_path()});
   if (!config.directory.empty()) {
     hide({std::filesystem::absolute(config.directory)});
-    cell.hidden.push_back(log_folder(world::opponent(team), config));
+    const std::string others = log_folder(world::opponent(team), config).string();
+    const auto holds_it = [&](const auto& folder) { return others.starts_with(folder.string() + "/"); };
+    if (std::none_of(cell.hidden.begin(), cell.hidden.end(), holds_it)) cell.hidden.emplace_back(others);
     cell.writable = {log_folder(team, config)};
   }
   cell.visible = options.visible;

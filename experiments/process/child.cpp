@@ -117,8 +117,7 @@ struct Prepared {
   const char* directory = nullptr;  // null: stay
   const cpu_set_t* cpus = nullptr;  // null: as inherited
   bool expendable = false;
-  bool session = false;  // of its own, so that no terminal is near
-  int kept = -1;         // a file that is passed on
+  int kept = -1;  // a file that is passed on
   pid_t parent = -1;
   int input = -1;
   int output = -1;
@@ -133,7 +132,7 @@ struct Prepared {
 }
 
 [[noreturn]] void become(const Prepared& prepared) {
-  if ((prepared.session ? ::setsid() : ::setpgid(0, 0)) < 0) give_up(prepared, Step::Group);
+  if (::setpgid(0, 0) != 0) give_up(prepared, Step::Group);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != prepared.parent) give_up(prepared, Step::ParentGone);  // it ended before the line above
 
@@ -224,7 +223,6 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
   prepared.directory = directory.empty() ? nullptr : directory.c_str();
   prepared.cpus = command.cpu >= 0 ? &cpus : nullptr;
   prepared.expendable = command.expendable;
-  prepared.session = status.has_value();
   prepared.kept = status ? status->write_end : -1;
   prepared.parent = ::getpid();
   prepared.input = input.file;
@@ -237,7 +235,7 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
   const int fork_error = errno;
   if (pid_ < 0)
     throw StartError("program '" + command.arguments.front() + "': cannot fork: " + error_text(fork_error));
-  if (!status) ::setpgid(pid_, pid_);  // whoever comes first; fails harmlessly after the exec
+  ::setpgid(pid_, pid_);  // whoever comes first; fails harmlessly after the exec
 
   Pipe::close_end(output.write_end);
   Pipe::close_end(report.write_end);

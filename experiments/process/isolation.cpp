@@ -71,9 +71,10 @@ std::vector<fs::path> homes() {
   return found;
 }
 
-/// Of the programs that are found by their names.
+/// Of the programs that are found by their names: beside ours and by PATH, see find_program().
 std::vector<fs::path> installations() {
-  std::vector<fs::path> found;
+  std::error_code ignored;
+  std::vector<fs::path> found = installation(fs::read_symlink("/proc/self/exe", ignored).parent_path());
   const char* variable = std::getenv("PATH");
   std::string_view rest = variable != nullptr ? variable : "";
   while (!rest.empty()) {
@@ -282,8 +283,11 @@ std::vector<std::string> isolated_command(const Cell& cell, int status, const fs
                                     "--json-status-fd",
                                     std::to_string(status)};
   if (cell.level == Isolation::Network) words.emplace_back("--unshare-net");
-  words.insert(words.end(), {"--ro-bind", "/", "/", "--proc", "/proc", "--dev", "/dev", "--size", room,
-                             "--tmpfs", "/dev/shm", "--remount-ro", "/dev"});
+  // No way to our terminal, whose shell would take what is typed there; a session of its own (setsid) would
+  // have the scheduler's autogroups treat each team as much as all else of a user.
+  words.insert(words.end(),
+               {"--ro-bind", "/", "/", "--proc", "/proc", "--dev", "/dev", "--size", room, "--tmpfs",
+                "/dev/shm", "--ro-bind", "/dev/null", "/dev/tty", "--remount-ro", "/dev"});
   mounts.append_to(words);
   words.insert(words.end(), {"--dir", mounts.home().string(), "--dir", work.string()});
   mounts.close_hidden(words);

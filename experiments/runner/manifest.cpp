@@ -78,6 +78,7 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
   field("ledger_schema", std::to_string(record::Ledger::schema));
   field("command_line",
         list(manifest.command_line, [](const std::string& word) { return record::quoted(word); }));
+  field("isolation", record::quoted(manifest.isolation));
   field("date", record::quoted(utc_now()));
   field("commit", record::quoted(commit()));
   field("compiler", record::quoted(__VERSION__));

@@ -17,6 +17,7 @@ struct Manifest {
   std::string version;                    ///< of matchday
   std::string protocol;                   ///< of the channel between host and team
   std::vector<std::string> command_line;  ///< that made the folder
+  std::string isolation;                  ///< of the teams, in words: its level, and why it is not more
 };
 
 /// Writes the manifest with compiler, processor, date and, inside a git checkout, the commit.

@@ -427,9 +427,10 @@ RunResult run(const schedule::Design& design, const RunOptions& options, std::os
              << " is on a network file system: who reads the ledger may keep the run waiting" << std::endl;
   }
   RunResult result{Ending::Interrupted, 0, folder.path()};
-  std::optional<record::Ledger> ledger =
-      open_ledger(folder, {hash, design, files, options.version, options.protocol, options.command_line},
-                  opening, signals, result.signal, progress);
+  std::optional<record::Ledger> ledger = open_ledger(
+      folder,
+      {hash, design, files, options.version, options.protocol, options.command_line, options.isolation},
+      opening, signals, result.signal, progress);
   if (!ledger) return result;
   const std::vector<record::Attempt> before = ledger->attempts(record::Detail::WithoutTimeline);
   result = Run(design, options, folder, *ledger, before, files, signals, progress).play();

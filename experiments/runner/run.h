@@ -24,6 +24,7 @@ struct RunOptions {
   bool record = true;                     ///< keep the teams' replies of faulty and sampled games
   std::string version;                    ///< of matchday, for the manifest
   std::string protocol;                   ///< of the channel between host and team
+  std::string isolation;                  ///< what the teams get, in words, for the manifest
   std::vector<std::string> command_line;  ///< for the manifest and for the advice how to continue
   /// A folder that holds the same experiment with this many pairs goes on with the design's; nothing: it is
   /// another experiment.

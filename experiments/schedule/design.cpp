@@ -241,6 +241,14 @@ void read_rules(TomlTable& root, Design& design) {
   table->finish();
 }
 
+void read_isolation(TomlTable& root, Design& design) {
+  if (const auto level = root.text("isolation")) {
+    check_known(root, "isolation", *level, std::vector<std::string>{"none", "files", "network"});
+    design.isolation = process::isolation_from_name(*level);
+  }
+  if (const auto paths = root.texts("visible")) design.visible.assign(paths->begin(), paths->end());
+}
+
 std::string text_of(const std::filesystem::path& file, const std::string& wanted) {
   std::ifstream stream(file);
   if (!stream || std::filesystem::is_directory(file)) {
@@ -285,6 +293,7 @@ Design parse_design(const std::string& text, const std::string& file, const Chec
   }
   design.stopping = read_stopping(root, design.pairs);
   design.limits = read_limits(root);
+  read_isolation(root, design);
 
   const auto most_robots = static_cast<std::size_t>(world::rule_set(design.rules).robots_per_team);
   auto teams = root.table("teams");

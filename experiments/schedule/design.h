@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/process/isolation.h"
 #include "experiments/record/match_config.h"
 #include "experiments/schedule/limits.h"
 #include "experiments/schedule/stopping.h"
@@ -61,8 +62,11 @@ struct Design {
   int forfeit_goals = 3;              ///< a game lost at the table counts 0 to this
   Stopping stopping;
   Limits limits;
-  std::vector<Condition> conditions;  ///< sweeps and panel written out
-  std::string text;                   ///< the file as it was read
+  // What teams see of the machine; no part of a game's result, nor of the experiment's hash.
+  std::optional<process::Isolation> isolation{};  ///< nothing: the strongest the machine allows
+  std::vector<std::filesystem::path> visible{};   ///< what isolated teams see nevertheless
+  std::vector<Condition> conditions;              ///< sweeps and panel written out
+  std::string text;                               ///< the file as it was read
 };
 
 /// Says what is wrong with a realism by throwing std::invalid_argument; this folder does not know the engine.

@@ -402,6 +402,56 @@ TEST_F(MatchdayProgram, ComparesTwoRevisionsInOneCommandAndContinues) {
               HasSubstr("a program against itself"));
 }
 
+TEST_F(MatchdayProgram, SaysWhatTeamsSeeAndRefusesWhatCannotBe) {
+  const std::string play = "play --blue " + fakes::bin_dir() + "/fake-team --yellow " + fakes::bin_dir() +
+                           "/fake-team --half-length 1 ";
+  EXPECT_THAT(matchday(play + "--isolation none").text, HasSubstr("isolation none, as asked for"));
+  EXPECT_THAT(matchday(play).text, HasSubstr("isolation "));
+  EXPECT_THAT(matchday(play + "--isolation full"),
+              AllOf(testing::Field(&Said::code, 2),
+                    testing::Field(&Said::text, HasSubstr("--isolation full: there is no such level"))));
+  EXPECT_THAT(matchday(play + "--visible nowhere"),
+              AllOf(testing::Field(&Said::code, 2),
+                    testing::Field(&Said::text, HasSubstr("--visible nowhere: there is no such"))));
+  // As on a machine that does not let bubblewrap work.
+  std::ofstream(folder_ / "bwrap") << "#!/bin/sh\necho 'bwrap: not allowed here' >&2\nexit 1\n";
+  fs::permissions(folder_ / "bwrap", fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", (folder_.string() + ":" + path).c_str(), 1);
+  const Said weaker = matchday(play);
+  const Said refused = matchday(play + "--isolation files");
+  write_design("weak.toml", "isolation = \"network\"\n");
+  const Said design = matchday("run weak.toml --no-preflight" + fake());
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_THAT(weaker.text, HasSubstr("isolation none, no more is possible here: bwrap: not allowed here"));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.text,
+              HasSubstr("--isolation files: this machine allows only 'none': bwrap: not allowed"));
+  EXPECT_EQ(design.code, 2);
+  EXPECT_THAT(design.text, HasSubstr("weak.toml: isolation = network: this machine allows only 'none'"));
+}
+
+TEST_F(MatchdayProgram, ARunRecordsTheIsolationAndHidesItsFolder) {
+  // Team A says in its log what it finds in the result folder.
+  std::ofstream(folder_ / "look.sh") << "#!/bin/sh\nls -R " << folder_.string() << "/out >&2 || true\nexec "
+                                     << fakes::bin_dir() << "/fake-team --mode crash\n";
+  fs::permissions(folder_ / "look.sh", fs::perms::owner_all);
+  std::ofstream(folder_ / "d.toml") << "name = \"d\"\npairs = 1\n[limits]\nfaults_in_a_row = 1\n"
+                                    << "[rules]\nhalf_length = 1\n[teams.a]\ncommand = \"./look.sh\"\n"
+                                    << "[teams.b]\ncommand = \"" << fakes::bin_dir() << "/fake-team\"\n";
+  const Said said = matchday("run d.toml --out out --no-preflight");
+  EXPECT_THAT(said.text, HasSubstr("isolation "));
+  std::ifstream manifest(folder_ / "out/manifest.json");
+  const std::string text{std::istreambuf_iterator<char>(manifest), {}};
+  EXPECT_THAT(text, HasSubstr("\"isolation\": \"isolation "));
+  if (said.text.find("isolation network") == std::string::npos) GTEST_SKIP() << said.text;
+  std::ifstream log(folder_ / "out/games/base-0000-0/1/blue.log");
+  const std::string seen{std::istreambuf_iterator<char>(log), {}};
+  EXPECT_THAT(seen, HasSubstr("games/base-0000-0/1/blue:")) << said.text;
+  for (const char* hidden : {"ledger", "job.json", "manifest", "yellow"})
+    EXPECT_THAT(seen, Not(HasSubstr(hidden)));
+}
+
 TEST_F(MatchdayProgram, PlayOfATeamThatDoesNotConnectIsAForfeitWithItsReason) {
   const Said said = matchday("play --blue true --yellow true --half-length 10");
   EXPECT_EQ(said.code, 4);

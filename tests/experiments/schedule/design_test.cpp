@@ -437,5 +437,17 @@ TEST(CanonicalDesign, ChangesWithWhatDecidesTheGames) {
   EXPECT_NE(canonical(parse_design("name = \"n\"\npairs = 2" + teams + "robots = [0]\n", "n")), base);
 }
 
+TEST(Design, IsolationIsReadAndChangesNoGame) {
+  const Design usual = parse_design(head + teams, "n");
+  EXPECT_FALSE(usual.isolation);
+  const Design isolated =
+      parse_design(head + "isolation = \"files\"\nvisible = [\"/models\"]\n" + teams, "n");
+  EXPECT_EQ(isolated.isolation, process::Isolation::Files);
+  EXPECT_THAT(isolated.visible, ElementsAre("/models"));
+  EXPECT_EQ(canonical(isolated), canonical(usual));
+  EXPECT_THAT(complaint(head + "isolation = \"netwrok\"\n" + teams),
+              HasSubstr("did you mean network?; known are: none, files, network"));
+}
+
 }  // namespace
 }  // namespace schedule
