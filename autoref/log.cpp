@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::int64_t records_to_survey = 5000;  // ours: geometry is sent every few seconds at the latest
 
+constexpr std::size_t most_types = 32;  // ours: the league has seven
+
 // The two vision messages in one: the detection is the same, the geometry differs.
 class VisionRecord {
  public:
@@ -70,7 +72,11 @@ class Reading {
 };
 
 void Reading::take(const wire::LogRecord& record) {
-  ++count_.records[record.type];
+  if (count_.records.size() < most_types || count_.records.contains(record.type)) {
+    ++count_.records[record.type];
+  } else {
+    ++count_.records_of_other_types;
+  }
   const bool wanted = survey_.has_vision_2014 ? record.type == wire::Vision2014 : is_vision(record);
   if (wanted) take_vision(record);
   if (record.type == wire::Refbox2013) take_referee(record);

@@ -41,7 +41,8 @@ struct CameraCount {
 
 /// What a log held.
 struct LogCount {
-  std::map<std::int32_t, std::int64_t> records;  ///< by type
+  std::map<std::int32_t, std::int64_t> records;  ///< by type, the first 32 types
+  std::int64_t records_of_other_types = 0;
   std::map<int, CameraCount> cameras;
   std::int64_t referee_messages_unknown = 0;  ///< with a stage or command that nobody knows
   std::string defect;  ///< one sentence naming file and record; empty when all could be read

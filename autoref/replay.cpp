@@ -21,6 +21,8 @@ namespace {
 using world::CommandKind;
 using world::Team;
 
+constexpr std::size_t most_waiting = 1000;  // messages between two images; ours: ten seconds of them
+
 std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -118,6 +120,9 @@ void Findings::summarise(const LogCount& count) const {
   if (json_) {
     for (const auto& [type, number] : count.records)
       add(records, fmt::format("{}: {}", in_quotes(type_name(type)), number));
+    if (count.records_of_other_types > 0) {
+      add(records, fmt::format("\"other types\": {}", count.records_of_other_types));
+    }
     for (const auto& [id, camera] : count.cameras) {
       add(cameras,
           fmt::format("{{\"id\": {}, \"images\": {}, \"rate\": {:.2f}}}", id, camera.images, rate(camera)));
@@ -131,6 +136,9 @@ void Findings::summarise(const LogCount& count) const {
   }
   for (const auto& [type, number] : count.records)
     add(records, fmt::format("{} {}", number, type_name(type)));
+  if (count.records_of_other_types > 0) {
+    add(records, fmt::format("{} of other types", count.records_of_other_types));
+  }
   for (const auto& [id, camera] : count.cameras) {
     add(cameras, fmt::format("camera {} with {} images at {:.1f} Hz", id, camera.images, rate(camera)));
   }
@@ -146,14 +154,20 @@ void Findings::summarise(const LogCount& count) const {
 }
 
 // The referee of a log of ours, set up as it was in the game.
-referee::Setup setup_of(const Survey& survey, const std::string& rules) {
+referee::Setup setup_of(const Survey& survey, const ReplayOptions& options) {
   const auto message =
       survey.first_referee ? wire::decode(*survey.first_referee, survey.epoch) : std::nullopt;
   referee::Setup setup;
-  if (survey.ours() && message) setup = referee::parse_setup(message->status);
-  if (!rules.empty()) {
+  if (survey.ours() && message) {
+    try {
+      setup = referee::parse_setup(message->status);
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error(options.file.string() + ": the first referee message: " + error.what());
+    }
+  }
+  if (!options.rules.empty()) {
     const world::RuleSet recorded = setup.rules;
-    setup.rules = world::rule_set(rules);
+    setup.rules = world::rule_set(options.rules);
     if (survey.ours()) {
       setup.rules.half_length = recorded.half_length;
       setup.rules.winner = recorded.winner;
@@ -184,7 +198,7 @@ void repeat_requests(const world::RefereeMessage& message, referee::Referee& ref
 }
 
 LogCount referee_again(const ReplayOptions& options, const Survey& survey, Findings& findings) {
-  referee::Referee referee(setup_of(survey, options.rules));
+  referee::Referee referee(setup_of(survey, options));
   Listener listener;
   if (survey.ours()) {
     listener.message = [&](const world::RefereeMessage& message) { repeat_requests(message, referee); };
@@ -204,12 +218,19 @@ LogCount watch(const ReplayOptions& options, const Survey& survey, Findings& fin
   Watcher watcher(rules, survey.geometry.value_or(geometry));
   Listener listener;
   // A batch is complete only when its next image is read, so the messages in between were recorded after it.
+  // A log without images has no batch to wait for: then a few are enough.
   std::vector<world::RefereeMessage> messages;
-  listener.message = [&](const world::RefereeMessage& message) { messages.push_back(message); };
-  listener.batch = [&](std::span<const world::Detection> batch) {
-    for (const Sighting& sighting : watcher.update(batch)) findings.add(sighting);
+  const auto follow = [&] {
     for (const world::RefereeMessage& message : messages) watcher.follow(message);
     messages.clear();
+  };
+  listener.message = [&](const world::RefereeMessage& message) {
+    if (messages.size() == most_waiting) follow();
+    messages.push_back(message);
+  };
+  listener.batch = [&](std::span<const world::Detection> batch) {
+    for (const Sighting& sighting : watcher.update(batch)) findings.add(sighting);
+    follow();
     findings.see(watcher.frame());
   };
   return read_log(options.file, survey, listener);

@@ -1,5 +1,7 @@
 #include "autoref/watcher.h"
 
+#include <algorithm>
+
 namespace autoref {
 
 using world::CommandKind;
@@ -11,6 +13,8 @@ world::RuleSet with_field(world::RuleSet rules, const world::Field& field) {
   rules.field = field;
   return rules;
 }
+
+constexpr world::Duration one_day = std::chrono::hours{24};
 
 Location location_of(CommandKind command) {
   switch (command) {
@@ -57,7 +61,10 @@ void Watcher::follow(const world::RefereeMessage& message) {
 
   const CommandKind before = state_.command.kind;
   state_.command = message.command;
-  state_.command_time = state_.time - (message.time - message.command_time);  // the clocks may differ
+  // The clocks may differ. What is older than a day is as good as a day old: the difference must fit.
+  const world::Duration age =
+      std::clamp<world::Duration>(message.time - message.command_time, -one_day, one_day);
+  state_.command_time = state_.time - age;
   if (world::has_team(message.command.kind)) state_.kick_team = message.command.team;
   state_.reset_position = message.designated_position;
   state_.kicker.reset();
@@ -65,7 +72,7 @@ void Watcher::follow(const world::RefereeMessage& message) {
                       (message.command.kind == CommandKind::Ready && before == CommandKind::Kickoff);
   Location location = location_of(message.command.kind);
   if (location == Location::Setup) {
-    const bool long_ago = first && message.time - message.command_time > rules_.kick_time;
+    const bool long_ago = first && age > rules_.kick_time;
     if (long_ago) location = Location::GameOn;
     state_.kick_position.reset();
     if (frame_.ball) state_.kick_position = frame_.ball->position.head<2>();

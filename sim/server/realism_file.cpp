@@ -34,6 +34,12 @@ void take_preset(const toml::node& node, const std::string& file, engine::Realis
   at(file, node, [&] { realism = engine::realism(*name); });
 }
 
+/// Rounded: toml++'s own conversion gives nothing for a whole number that no double is.
+double number_of(const toml::node& node) {
+  if (node.is_integer()) return static_cast<double>(*node.value_exact<std::int64_t>());
+  return *node.value_exact<double>();
+}
+
 /// @param prefix  of the keys in this table: "", "vision."
 void take_numbers(const toml::table& table, const std::string& prefix, const std::string& file,
                   engine::Realism& realism) {
@@ -45,7 +51,7 @@ void take_numbers(const toml::table& table, const std::string& prefix, const std
     } else if (!node.is_number()) {
       reject(file, node, fmt::format("realism {} must be a number", name));
     } else {
-      at(file, node, [&] { engine::set(realism, name, *node.value<double>()); });
+      at(file, node, [&] { engine::set(realism, name, number_of(node)); });
     }
   }
 }

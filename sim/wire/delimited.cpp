@@ -16,6 +16,9 @@ FrameError too_long(std::uint64_t size) {
 }  // namespace
 
 void FrameReader::append(std::span<const std::byte> bytes) {
+  if (pending() > max_frame_size + max_header_size) {  // a whole frame and more: nobody has asked for it
+    throw FrameError(std::to_string(pending()) + " bytes wait to be read, which is more than a frame has");
+  }
   if (begin_ > 0) {
     buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(begin_));
     begin_ = 0;

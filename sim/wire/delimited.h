@@ -22,7 +22,9 @@ inline constexpr std::size_t max_frame_size = std::size_t{1} << 20;
 /// Cuts a byte stream into frames: a varint length, then as many bytes. Pure buffer, no sockets.
 class FrameReader {
  public:
-  /// Adds what was received. Ends the life of spans returned by `next`.
+  /// Adds what was received. Ends the life of spans returned by `next`, which must be called until it returns
+  /// nothing before more is added: so never more than a frame and one piece is kept.
+  /// @throws FrameError when more than a whole frame was left
   void append(std::span<const std::byte> bytes);
   /// Payload of the next whole frame, valid until `append`; nothing when more bytes are needed.
   /// @throws FrameError when the length is above 1 MiB or its varint above 5 bytes; then at every further

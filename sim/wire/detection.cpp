@@ -8,6 +8,10 @@ namespace wire {
 namespace {
 
 constexpr std::uint32_t max_camera_id = 255;  // ours: no set-up has more than 8 cameras
+// Ours: false balls at the worst that a realism can say are 160, and each of the 32 patterns seen twice
+// is 64.
+constexpr std::size_t max_balls = 256;
+constexpr std::size_t max_robots = 64;
 
 void encode_robot(const world::DetectedRobot& robot, proto::SSL_DetectionRobot& out) {
   out.set_confidence(static_cast<float>(robot.confidence));
@@ -27,7 +31,7 @@ bool has_position(const Object& object) {
 }
 
 void decode_robot(const proto::SSL_DetectionRobot& robot, world::Team team, world::Detection& out) {
-  if (!has_position(robot)) return;
+  if (!has_position(robot) || out.robots.size() == max_robots) return;
   world::DetectedRobot& result = out.robots.emplace_back();
   result.team = team;
   if (robot.has_robot_id() && robot.robot_id() <= world::max_robot_number) {
@@ -82,6 +86,7 @@ void decode(const proto::SSL_DetectionFrame& frame, Epoch epoch, world::Detectio
                    .value_or(out.t_capture);
   for (const proto::SSL_DetectionBall& ball : frame.balls()) {
     if (!has_position(ball)) continue;
+    if (out.balls.size() == max_balls) break;
     world::DetectedBall& result = out.balls.emplace_back();
     result.position = {from_mm(ball.x()), from_mm(ball.y())};
     result.confidence = finite_or_zero(ball.confidence());

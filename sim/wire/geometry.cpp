@@ -224,8 +224,11 @@ void decode_defense_area(const proto::SSL_GeometryFieldSize& size, world::Field&
   }
 }
 
+constexpr std::int32_t least_size_mm = 500;  // ours: less is no room for a robot
+constexpr std::size_t max_cameras = 64;      // ours: the league had 4 to 8
+
 bool size_makes_sense(std::int32_t length, std::int32_t width) {
-  return length > 0 && width > 0 && is_coordinate(static_cast<float>(length)) &&
+  return length >= least_size_mm && width >= least_size_mm && is_coordinate(static_cast<float>(length)) &&
          is_coordinate(static_cast<float>(width));
 }
 
@@ -269,6 +272,7 @@ template <class Calibrations>
 std::vector<world::Camera> decode_cameras(const Calibrations& calibrations) {
   std::vector<world::Camera> cameras;
   for (const proto::SSL_GeometryCameraCalibration& calibration : calibrations) {
+    if (cameras.size() == max_cameras) break;
     if (const std::optional<world::Camera> camera = decode_camera(calibration)) cameras.push_back(*camera);
   }
   return cameras;

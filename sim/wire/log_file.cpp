@@ -2,6 +2,7 @@
 
 #include <google/protobuf/message_lite.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <stdexcept>
@@ -14,9 +15,11 @@ namespace {
 
 constexpr std::string_view magic = "SSL_LOG_FILE";
 constexpr std::uint32_t version = 1;
-constexpr std::size_t header_size = 16;  // of the file, and of each record
-// Ours: a datagram has at most 64 KiB, and the index of a game of an hour about 8 MiB.
-constexpr std::int32_t max_payload = 64 << 20;  // [bytes]
+constexpr std::size_t header_size = 16;       // of the file, and of each record
+constexpr std::int32_t max_message = 65'507;  // [bytes] the longest payload of a UDP datagram over IPv4
+// Ours: the index of a game of an hour has about 8 MiB. It is passed over, not kept.
+constexpr std::int32_t max_index = 64 << 20;  // [bytes]
+constexpr std::size_t piece = 1 << 16;        // [bytes] of what is passed over
 
 using Header = std::array<char, header_size>;
 
@@ -55,7 +58,12 @@ LogWriter& LogWriter::operator=(LogWriter&&) noexcept = default;
 LogWriter::~LogWriter() = default;
 
 void LogWriter::write(std::int64_t time_ns, std::int32_t type, std::string_view payload) {
-  assert(file_->sink && payload.size() <= max_payload);
+  assert(file_->sink);
+  if (payload.size() > static_cast<std::size_t>(max_message)) {
+    throw std::length_error("a message of " + std::to_string(payload.size()) +
+                            " bytes is no datagram, which has at most " + std::to_string(max_message) +
+                            ": not written to the league log");
+  }
   Header header;
   put(static_cast<std::uint64_t>(time_ns), header.data());
   put(static_cast<std::uint32_t>(type), header.data() + 8);
@@ -93,6 +101,18 @@ struct LogReader::File {
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(place() + error.what());
     }
+  }
+  /// Reads that many bytes without keeping them; how many there were.
+  std::size_t pass_over(std::size_t size) {
+    std::string bytes(std::min(size, piece), '\0');
+    std::size_t total = 0;
+    while (total < size) {
+      const std::size_t wanted = std::min(size - total, bytes.size());
+      const std::size_t got = read(bytes.data(), wanted);
+      total += got;
+      if (got < wanted) break;
+    }
+    return total;
   }
   /// Ends the file quietly; something is missing if `missing` says so.
   bool end(const std::string& missing) {
@@ -154,15 +174,18 @@ bool LogReader::next(LogRecord& record) {
   record.time_ns = static_cast<std::int64_t>(get<std::uint64_t>(header.data()));
   record.type = static_cast<std::int32_t>(get<std::uint32_t>(header.data() + 8));
   const auto length = static_cast<std::int32_t>(get<std::uint32_t>(header.data() + 12));
-  if (length < 0 || length > max_payload) {
+  const bool is_index = record.type == Index2021;
+  const std::int32_t longest = is_index ? max_index : max_message;
+  if (length < 0 || length > longest) {  // before memory is taken for it
     throw std::runtime_error(file.place() + "its payload length is " + std::to_string(length) +
-                             ", not 0 to " + std::to_string(max_payload) + " bytes; the file is damaged");
+                             ", not 0 to " + std::to_string(longest) + " bytes; the file is damaged");
   }
 
-  record.payload.resize(static_cast<std::size_t>(length));
-  const std::size_t payload = file.read(record.payload.data(), record.payload.size());
-  if (payload < record.payload.size()) {
-    record.payload.resize(payload);
+  const auto size = static_cast<std::size_t>(length);
+  record.payload.resize(is_index ? 0 : size);
+  const std::size_t payload = is_index ? file.pass_over(size) : file.read(record.payload.data(), size);
+  if (payload < size) {
+    if (!is_index) record.payload.resize(payload);
     return file.end("cut short, " + std::to_string(payload) + " of its " + std::to_string(length) +
                     " bytes of payload are there");
   }

@@ -25,11 +25,11 @@ enum LogType : std::int32_t {
   Index2021 = 6     ///< offsets of all records, the last one of a file; not a message
 };
 
-/// One received datagram.
+/// One received datagram: at most 65,507 bytes.
 struct LogRecord {
   std::int64_t time_ns = 0;  ///< [ns, Unix] when it was received; 0 for an index
   std::int32_t type = 0;     ///< a LogType, or any other number
-  std::string payload;
+  std::string payload;       ///< empty for an index, which is passed over
 };
 
 /// Writes an SSL log file of version 1; gzip (level 1) when the name ends in ".gz".
@@ -43,6 +43,7 @@ class LogWriter {
   /// Closes quietly; call `close` to hear of errors.
   ~LogWriter();
 
+  /// @throws std::length_error for a payload that is longer than a datagram can be
   void write(std::int64_t time_ns, std::int32_t type, std::string_view payload);
   void write(std::int64_t time_ns, std::int32_t type, const google::protobuf::MessageLite& message);
   void write(const LogRecord& record) { write(record.time_ns, record.type, record.payload); }
@@ -69,9 +70,11 @@ class LogReader {
   ///
   /// A last record cut short (the recorder was killed) ends the file quietly, as is the league's custom;
   /// `truncated` then says so.
-  /// @throws std::runtime_error "file: record N at byte B: ..." for a length that is negative or above 64
-  /// MiB, and
-  ///         for damaged gzip data. Records count from 1, bytes from the start of the unpacked file.
+  /// Takes as much memory as one datagram, whatever the file is.
+  /// @throws std::runtime_error "file: record N at byte B: ..." for a length that is negative or above that
+  /// of
+  ///         a datagram (of an index: 64 MiB), and for damaged gzip data. Records count from 1, bytes from
+  ///         the start of the unpacked file.
   bool next(LogRecord& record);
 
   /// After the end: the file stops inside a record, or its gzip stream does.

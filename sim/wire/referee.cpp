@@ -157,9 +157,14 @@ std::uint32_t to_unsigned(std::int64_t value) {
       std::clamp<std::int64_t>(value, 0, std::numeric_limits<std::uint32_t>::max()));
 }
 
-int to_int(std::uint32_t value) {
-  return static_cast<int>(std::min<std::uint32_t>(value, std::numeric_limits<int>::max()));
-}
+// Beyond these a number is nonsense, and sums of it would not fit. All ours: no game comes near.
+constexpr std::uint32_t most_counted = 1'000'000;  // goals, cards, time-outs, robots
+constexpr std::uint32_t nobody = 255;              // a robot number that no pattern has
+constexpr int most_cards = 64;                     // at the same time
+constexpr std::size_t longest_name = 256;          // [bytes]
+constexpr std::size_t longest_status = 4096;       // [bytes]
+
+int to_int(std::uint32_t value) { return static_cast<int>(std::min(value, most_counted)); }
 
 void encode_team(const world::TeamInfo& team, proto::Referee::TeamInfo& out) {
   out.set_name(team.name);
@@ -176,15 +181,18 @@ void encode_team(const world::TeamInfo& team, proto::Referee::TeamInfo& out) {
 }
 
 void decode_team(const proto::Referee::TeamInfo& team, world::TeamInfo& result) {
-  result.name = team.name();
+  result.name = team.name().substr(0, longest_name);
   result.score = to_int(team.score());
   result.red_cards = to_int(team.red_cards());
   result.yellow_card_times.clear();
-  for (const std::uint32_t time : team.yellow_card_times()) result.yellow_card_times.push_back(from_us(time));
+  const int cards = std::min(team.yellow_card_times_size(), most_cards);
+  for (int card = 0; card < cards; ++card) {
+    result.yellow_card_times.push_back(from_us(team.yellow_card_times(card)));
+  }
   result.yellow_cards = to_int(team.yellow_cards());
   result.timeouts = to_int(team.timeouts());
   result.timeout_time = from_us(team.timeout_time());
-  result.keeper = to_int(team.goalkeeper());
+  result.keeper = static_cast<int>(std::min(team.goalkeeper(), nobody));
   result.max_robots =
       team.has_max_allowed_bots() ? to_int(team.max_allowed_bots()) : world::TeamInfo{}.max_robots;
 }
@@ -251,7 +259,7 @@ bool decode(const proto::Referee& message, Epoch epoch, world::RefereeMessage& o
   if (message.has_current_action_time_remaining()) {
     out.action_time_left = from_us(message.current_action_time_remaining());
   }
-  out.status = message.status_message();
+  out.status = message.status_message().substr(0, longest_status);
   return true;
 }
 

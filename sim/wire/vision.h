@@ -24,8 +24,9 @@ void encode(const world::Detection& detection, Epoch epoch, proto::SSL_Detection
 ///
 /// Tolerant, as real logs need it. An object without a finite position inside 100 m is dropped; a robot
 /// number above 15 or missing is "not identified"; an orientation that is not finite is "not determined";
-/// confidence and pixels that are not finite are 0. A frame that is not `usable` gives a Detection without
-/// objects. Inverse of `encode` to the bit, for what has been through `encode` once.
+/// confidence and pixels that are not finite are 0. What is more than 256 balls or 64 robots is left out. A
+/// frame that is not `usable` gives a Detection without objects. Inverse of `encode` to the bit, for what has
+/// been through `encode` once.
 world::Detection decode(const proto::SSL_DetectionFrame& frame, Epoch epoch);
 /// The same into memory that is used again: no allocation once `out` has grown to the size needed.
 void decode(const proto::SSL_DetectionFrame& frame, Epoch epoch, world::Detection& out);
@@ -38,7 +39,8 @@ bool usable(const proto::SSL_DetectionFrame& frame);
 /// Quarter circles are described by arcs and stretches, as in 2015; a rectangle also by fields 8 and 9.
 void encode(const world::Geometry& geometry, proto::SSL_GeometryData& out);
 
-/// Field and cameras from the wire; nothing when the field's size is missing or absurd (above 100 m).
+/// Field and cameras from the wire; nothing when the field's size is missing or absurd (below 0.5 m, above
+/// 100 m). Of the cameras the first 64.
 ///
 /// The defense area comes from fields 8 and 9, else from arcs, else from the stretches' lines, by name or
 /// type, never by the sign of a coordinate. What the message does not say keeps its default.

@@ -111,6 +111,8 @@ TEST(RealismFile, AMistakeIsNamedWithFileAndLine) {
               AllOf(StartsWith("f.toml:3: "), HasSubstr("radio.loss")));
   EXPECT_EQ(error("[realism]\n[realism.radio]\nloss = 2\n"),
             "f.toml:3: realism radio.loss = 2: must be from 0 to 1");
+  EXPECT_THAT(error("[realism]\nradio.loss = 9007199254740993\n"), HasSubstr("must be from 0 to 1"))
+      << "no double is this number";
   EXPECT_EQ(error("[realism.radio]\nloss = \"2\"\n"), "f.toml:2: realism radio.loss must be a number");
   EXPECT_THAT(error("[realism]\npreset = 3"), StartsWith("f.toml:2: the preset must be a text"));
   EXPECT_THAT(error("x = 1\n[realism\n"), StartsWith("f.toml:2: not TOML: "));

@@ -79,6 +79,25 @@ TEST(FrameReader, OneMebibyteIsAllowedAndAByteMoreIsNot) {
   EXPECT_THROW(reader.next(), wire::FrameError) << "and ever after";
 }
 
+// Whoever appends must ask for frames in between: then a stream of any length takes the memory of one frame.
+TEST(FrameReader, KeepsNoMoreThanAFrameAndAPiece) {
+  wire::FrameReader reader;
+  const std::string piece = frame(std::string(1000, 'x'));
+  std::size_t appended = 0;
+  EXPECT_THROW(
+      {
+        while (appended < 4 * wire::max_frame_size) {
+          reader.append(bytes(piece));
+          appended += piece.size();
+        }
+      },
+      wire::FrameError);
+  EXPECT_LE(reader.pending(), wire::max_frame_size + 2 * piece.size());
+  all_frames(reader);
+  reader.append(bytes(piece));
+  EXPECT_EQ(all_frames(reader).size(), 1U);
+}
+
 TEST(FrameReader, RefusesALengthThatIsNoVarint) {
   wire::FrameReader reader;
   reader.append(bytes("\xff\xff\xff\xff"));

@@ -225,3 +225,14 @@ TEST(Detection, AFrameWithoutTimeOrCameraIsNotUsableAndEmpty) {
   EXPECT_TRUE(wire::usable(no_sending_time));
   EXPECT_EQ(wire::decode(no_sending_time, Epoch{}).t_sent, world::Time{});
 }
+
+TEST(Detection, LeavesOutWhatIsMoreThanAnImageCanHold) {
+  wire::proto::SSL_DetectionFrame frame = good_frame();
+  const auto ball = frame.balls(0);
+  const auto yellow = frame.robots_yellow(0);
+  for (int i = 0; i < 5000; ++i) *frame.add_balls() = ball;
+  for (int i = 0; i < 5000; ++i) *frame.add_robots_yellow() = yellow;
+  const world::Detection decoded = wire::decode(frame, Epoch{});
+  EXPECT_EQ(decoded.balls.size(), 256U);
+  EXPECT_EQ(decoded.robots.size(), 64U);
+}

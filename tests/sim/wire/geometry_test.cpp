@@ -252,6 +252,16 @@ TEST(Geometry, RefusesAFieldWithoutASensibleSize) {
   EXPECT_FALSE(wire::decode(parse("field { field_length: 9000 }")).has_value());
   EXPECT_FALSE(wire::decode(parse("field { field_length: -9000 field_width: 6000 }")).has_value());
   EXPECT_FALSE(wire::decode(parse("field { field_length: 2000000000 field_width: 6000 }")).has_value());
+  EXPECT_FALSE(wire::decode(parse("field { field_length: 9000 field_width: 499 }")).has_value());
+  EXPECT_TRUE(wire::decode(parse("field { field_length: 9000 field_width: 500 }")).has_value());
+}
+
+TEST(Geometry, TakesNoMoreThan64Cameras) {
+  world::Geometry geometry = division_a();
+  wire::proto::SSL_GeometryData message = encoded(geometry);
+  const auto calibration = message.calib(0);
+  while (message.calib_size() < 1000) *message.add_calib() = calibration;
+  EXPECT_EQ(wire::decode(message)->cameras.size(), 64U);
 }
 
 TEST(Geometry, IgnoresSingleValuesThatMakeNoSense) {

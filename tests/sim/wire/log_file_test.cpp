@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <fstream>
 #include <iterator>
@@ -217,15 +218,51 @@ TEST_F(LogFile, AWrongChecksumNamesThePlace) {
   EXPECT_THAT(text, HasSubstr("gzip data damaged"));
 }
 
-TEST_F(LogFile, RefusesLengthsThatAreNegativeOrAbsurd) {
+// A datagram has at most 65,507 bytes: what says that it has more is refused before memory is taken for it.
+TEST_F(LogFile, RefusesLengthsThatNoDatagramHas) {
   const std::string good = record_header("\0\0\0\3"s) + "abc";
-  EXPECT_EQ(
-      complaint(store("a.log", file_header + good + record_header("\xff\xff\xff\xfe"s))),
-      path("a.log").string() +
-          ": record 2 at byte 35: its payload length is -2, not 0 to 67108864 bytes; the file is damaged");
-  EXPECT_THAT(complaint(store("a.log", file_header + record_header("\x04\0\0\1"s))),
-              HasSubstr("record 1 at byte 16: its payload length is 67108865"));
-  EXPECT_EQ(complaint(store("a.log", file_header + record_header("\x04\0\0\0"s))), "") << "64 MiB, cut short";
+  EXPECT_EQ(complaint(store("a.log", file_header + good + record_header("\xff\xff\xff\xfe"s))),
+            path("a.log").string() +
+                ": record 2 at byte 35: its payload length is -2, not 0 to 65507 bytes; the file is damaged");
+  EXPECT_THAT(complaint(store("a.log", file_header + record_header("\0\0\xff\xe4"s))),
+              HasSubstr("record 1 at byte 16: its payload length is 65508"));
+  EXPECT_THAT(complaint(store("a.log", file_header + record_header("\x04\0\0\0"s))), HasSubstr("67108864"));
+  EXPECT_EQ(complaint(store("a.log", file_header + record_header("\0\0\xff\xe3"s))), "") << "cut short";
+  wire::LogWriter writer(path("a.log"));
+  writer.write(0, wire::Vision2014, std::string(65'507, 'x'));
+  EXPECT_THROW(writer.write(0, wire::Vision2014, std::string(65'508, 'x')), std::length_error);
+}
+
+TEST_F(LogFile, PassesOverAnIndexWithoutKeepingIt) {
+  // 64 MiB of zeros pack into 64 KiB: what made a small log take gigabytes.
+  const std::string index_header = std::string(8, '\0') + "\0\0\0\6"s + "\x04\0\0\0"s;
+  const std::string last = record_header("\0\0\0\3"s) + "abc";
+  gzFile file = gzopen(path("a.log.gz").c_str(), "wb1");
+  ASSERT_NE(file, nullptr);
+  const auto put = [&](const std::string& bytes) {
+    ASSERT_EQ(gzwrite(file, bytes.data(), static_cast<unsigned>(bytes.size())),
+              static_cast<int>(bytes.size()));
+  };
+  put(file_header + index_header);
+  const std::string mebibyte(1 << 20, '\0');
+  for (int i = 0; i < 64; ++i) put(mebibyte);
+  put(last);
+  gzclose(file);
+  wire::LogReader reader(path("a.log.gz"));
+  wire::LogRecord record;
+  ASSERT_TRUE(reader.next(record));
+  EXPECT_EQ(record.type, wire::Index2021);
+  EXPECT_EQ(record.payload, "");
+  EXPECT_LT(record.payload.capacity(), 100'000U);
+  ASSERT_TRUE(reader.next(record));
+  EXPECT_EQ(record.payload, "abc");
+  EXPECT_FALSE(reader.next(record));
+
+  EXPECT_THAT(complaint(store("a.log", file_header + std::string(8, '\0') + "\0\0\0\6"s + "\x04\0\0\1"s)),
+              HasSubstr("its payload length is 67108865, not 0 to 67108864 bytes"));
+  wire::LogReader cut(store("cut.log", file_header + index_header + "xyz"));
+  EXPECT_FALSE(cut.next(record));
+  EXPECT_THAT(cut.truncation(), HasSubstr("3 of its 67108864 bytes of payload are there"));
 }
 
 TEST_F(LogFile, RefusesOtherFilesWithAHint) {

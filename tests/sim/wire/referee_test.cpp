@@ -205,3 +205,24 @@ TEST(RefereeMessage, SurvivesAbsurdNumbers) {
   EXPECT_GT(back->teams.yellow.score, 0);
   EXPECT_FALSE(back->designated_position.has_value());
 }
+
+TEST(RefereeMessage, CutsNumbersAndTextsToWhatHasAMeaning) {
+  Referee message = encoded(full_message());
+  Referee::TeamInfo& team = *message.mutable_yellow();
+  team.set_name(std::string(60'000, 'n'));
+  team.set_score(4'000'000'000U);
+  team.set_goalkeeper(256 + 3);  // as a byte it would be robot 3
+  for (int i = 0; i < 60'000; ++i) team.add_yellow_card_times(1);
+  message.set_status_message(std::string(60'000, 's'));
+  message.set_stage_time_left(std::numeric_limits<std::int64_t>::max());
+  message.set_packet_timestamp(4'000'000'000'000'000);
+  const std::optional<world::RefereeMessage> back = wire::decode(message, Epoch{});
+  ASSERT_TRUE(back.has_value());
+  EXPECT_EQ(back->teams.yellow.name.size(), 256U);
+  EXPECT_EQ(back->teams.yellow.score, 1'000'000);
+  EXPECT_EQ(back->teams.yellow.keeper, 255);
+  EXPECT_EQ(back->teams.yellow.yellow_card_times.size(), 64U);
+  EXPECT_EQ(back->status.size(), 4096U);
+  // Instants and spans of the wire may be added without overflow.
+  EXPECT_LT(world::seconds(back->time) + world::seconds(*back->stage_time_left), 9.2e9);
+}
