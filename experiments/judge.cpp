@@ -151,7 +151,8 @@ class Judging {
       }
     }
   }
-  int faults() const { return faults_; }
+  /// What the command ends with when not all games were judged.
+  int exit_code() const { return refused_ ? bad_input : faults; }
 
   std::vector<judge::GameResult> results() const {
     std::vector<judge::GameResult> results;
@@ -215,7 +216,11 @@ class Judging {
     const fs::path base = folder_ / "games" / id(n);
     if (!fs::exists(result_file(n))) {
       ++faults_;
-      std::cerr << id(n) << ": " << exit.describe() << ": " << read(base.string() + ".log") << std::endl;
+      // With --again it is the recording that cannot be read; its sentence is enough.
+      const bool refused = !again_.empty() && !exit.signalled && exit.number == bad_input;
+      refused_ = refused_ || refused;
+      std::cerr << id(n) << ": " << (refused ? "" : exit.describe() + ": ") << read(base.string() + ".log")
+                << std::endl;
       return;
     }
     fs::remove(base.string() + ".job");
@@ -232,6 +237,7 @@ class Judging {
   std::vector<judge::ShadowConfig> shadows_;
   std::vector<schedule::Game> games_;
   int faults_ = 0;
+  bool refused_ = false;  // a recording is damaged
 };
 
 // What a reader of judge.md needs who has not read the README.
@@ -373,10 +379,10 @@ int judge(const JudgeOptions& options) {
     std::cerr << "interrupted, nothing is lost; continue with: " << command << std::endl;
     return signal_base + *signal;
   }
-  if (games.empty()) return faults;
+  if (games.empty()) return judging.exit_code();
   std::cout << intro << judge::as_markdown(std::span(tables).first(1))
             << told_cases(failures, options, judging.folder());
-  return games.size() == judging.count() ? done : faults;
+  return games.size() == judging.count() ? done : judging.exit_code();
 }
 
 int judge_game(const JudgeGameOptions& options) {

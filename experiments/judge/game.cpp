@@ -14,6 +14,21 @@
 #include "experiments/judge/watch.h"
 
 namespace judge {
+namespace {
+
+/// The job with which it was recorded, checked as if it were to be played.
+Job job_of(const RecordingReader& recording, const std::filesystem::path& file) {
+  try {
+    Job job = job_from_json(recording.job());
+    host::check(job.config);
+    return job;
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(file.string() + ": " + error.what() +
+                                "; remove it and let matchday judge DESIGN --keep play the game again");
+  }
+}
+
+}  // namespace
 
 GameResult play_judged(const Job& job, const host::Options& options, const Passage& passage) {
   Watch watch(job.config, job.shadows);
@@ -57,7 +72,7 @@ GameResult play_judged(const Job& job, const host::Options& options, const Passa
 GameResult judge_again(const std::filesystem::path& file, const std::vector<ShadowConfig>& shadows,
                        const Passage& passage) {
   RecordingReader recording(file);
-  const Job job = job_from_json(recording.job());
+  const Job job = job_of(recording, file);
   for (const ShadowConfig& shadow : shadows) {
     if (shadow.realism.empty() && shadow.command.empty()) continue;
     throw std::invalid_argument("--shadow " + shadow.name + ": sees more than what was recorded in " +

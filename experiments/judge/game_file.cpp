@@ -1,5 +1,7 @@
 #include "experiments/judge/game_file.h"
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -9,6 +11,28 @@
 
 namespace judge {
 namespace {
+
+constexpr std::size_t longest_shown = 60;  // of a value in a message
+constexpr std::array all_results = {Result::Found, Result::Missed, Result::Extra};
+
+template <std::size_t size>
+std::array<int, size> counts_in(const Json& json) {
+  if (!json.is_array() || json.size() != size) {
+    throw std::invalid_argument("there must be " + std::to_string(size) + " counts");
+  }
+  std::array<int, size> counts{};
+  for (std::size_t n = 0; n < size; ++n) counts[n] = count_in(json[n]);
+  return counts;
+}
+
+/// Who looked on: tables look things up by these names.
+std::vector<std::string> shadows_in(const Json& json) {
+  const auto shadows = json.get<std::vector<std::string>>();
+  for (const std::string& name : shadows) {
+    if (name != acting_name) parse_shadow(name);
+  }
+  return shadows;
+}
 
 Json json_of(const Call& call) {
   Json json;
@@ -56,16 +80,22 @@ Case case_in(const Json& json) {
   Case one;
   one.shadow = json.at("shadow").get<std::string>();
   const auto event = event_named(json.at("event").get<std::string>());
-  if (!event) throw std::invalid_argument("no event: " + json.at("event").get<std::string>());
+  if (!event) throw std::invalid_argument("no event: " + json.at("event").dump().substr(0, longest_shown));
   one.event = *event;
   const std::string result = json.at("result").get<std::string>();
-  one.result = result == name(Result::Found)    ? Result::Found
-               : result == name(Result::Missed) ? Result::Missed
-                                                : Result::Extra;
+  const auto named = [&](Result its) { return result == name(its); };
+  const auto found = std::ranges::find_if(all_results, named);
+  if (found == all_results.end()) {
+    throw std::invalid_argument("no result: '" + result.substr(0, longest_shown) + "'");
+  }
+  one.result = *found;
   one.chip = json.value("chip", false);
   one.remark = json.value("remark", "");
   if (json.contains("truth")) one.truth = truth_in(json.at("truth"), one.event);
   if (json.contains("call")) one.call = call_in(json.at("call"), one.event);
+  if (one.event == Event::Exit && one.truth && !one.truth->last) {
+    throw std::invalid_argument("an exit that nobody touched");
+  }
   const bool whole = one.result == Result::Extra ? one.call && !one.truth
                                                  : one.truth && (one.call || one.result == Result::Missed);
   if (!whole) throw std::invalid_argument("a case of '" + result + "' lacks its truth or its call");
@@ -119,30 +149,39 @@ GameResult game_from_json(const std::string& text, const std::string& name) {
     const Json head = Json::parse(words);
     result.game = head.at("game").get<std::string>();
     result.preset = head.at("preset").get<std::string>();
+    if (!head.at("seed").is_number_unsigned())
+      throw std::invalid_argument("the seed is no whole number from 0 on");
     result.seed = head.at("seed").get<std::uint64_t>();
-    result.ticks = head.at("ticks").get<std::int64_t>();
+    result.ticks = count_in(head.at("ticks"));
     result.hash = head.at("hash").get<std::string>();
     result.fault = head.at("fault").get<std::string>();
-    result.shadows = head.at("shadows").get<std::vector<std::string>>();
+    result.shadows = shadows_in(head.at("shadows"));
     result.witnesses = head.at("witnesses").get<std::vector<std::string>>();
-    result.happened = head.at("happened").get<std::array<int, event_count>>();
-    result.close = head.at("close").get<std::array<int, event_count>>();
-    result.near_misses = head.at("near_misses").get<std::array<int, event_count>>();
+    result.happened = counts_in<event_count>(head.at("happened"));
+    result.close = counts_in<event_count>(head.at("close"));
+    result.near_misses = counts_in<event_count>(head.at("near_misses"));
     for (const Json& count : head.at("touches")) {
-      result.touches.push_back(
-          {count.at("witness").get<std::string>(), count.at("window").get<double>(),
-           count.at("found").get<std::array<int, kinds>>(), count.at("missed").get<std::array<int, kinds>>(),
-           count.at("extra").get<int>(), count.at("own").get<int>(), count.at("again").get<int>()});
+      result.touches.push_back({count.at("witness").get<std::string>(), number_in(count.at("window")),
+                                counts_in<kinds>(count.at("found")), counts_in<kinds>(count.at("missed")),
+                                count_in(count.at("extra")), count_in(count.at("own")),
+                                count_in(count.at("again"))});
     }
     while (std::getline(stream, words)) {
       ++line;
       result.cases.push_back(case_in(Json::parse(words)));
     }
-    if (result.cases.size() != head.at("cases").get<std::size_t>()) {
-      throw std::invalid_argument(std::to_string(result.cases.size()) + " of " +
-                                  std::to_string(head.at("cases").get<std::size_t>()) + " cases are there");
+    for (const Case& one : result.cases) {  // the tables look them up by the witnesses' places
+      if (one.shadow != acting_name || one.event != Event::Exit || !one.call) continue;
+      if (one.call->witnesses.size() == result.witnesses.size()) continue;
+      throw std::invalid_argument("a call has " + std::to_string(one.call->witnesses.size()) + " of " +
+                                  std::to_string(result.witnesses.size()) + " witnesses");
     }
-  } catch (const std::exception& error) {  // nlohmann's, ours, and those of std::stoi
+    if (const int cases = count_in(head.at("cases"));
+        result.cases.size() != static_cast<std::size_t>(cases)) {
+      throw std::invalid_argument(std::to_string(result.cases.size()) + " of " + std::to_string(cases) +
+                                  " cases are there");
+    }
+  } catch (const std::exception& error) {  // nlohmann's and ours
     throw std::invalid_argument(name + ":" + std::to_string(line) + ": " + error.what() +
                                 "; remove the file and the game is judged again");
   }

@@ -1,16 +1,66 @@
 #include "experiments/judge/json_values.h"
 
+#include <charconv>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace judge {
+namespace {
+
+constexpr double largest = 1e15;
+constexpr double farthest = 1000;                       // [m]
+constexpr std::int64_t latest = 1'000'000'000'000'000;  // [ns]
+constexpr std::size_t longest_shown = 60;               // of a value in a message
+constexpr std::uint64_t most_signed = std::numeric_limits<std::int64_t>::max();
+
+}  // namespace
 
 std::string text_of(world::RobotId id) {
   return (id.team == world::Team::Yellow ? "Y" : "B") + std::to_string(id.number);
 }
 world::RobotId robot_in(const std::string& text) {
-  if (text.size() < 2 || (text[0] != 'Y' && text[0] != 'B')) throw std::invalid_argument("no robot: " + text);
-  return {text[0] == 'Y' ? world::Team::Yellow : world::Team::Blue,
-          static_cast<std::uint8_t>(std::stoi(text.substr(1)))};
+  int number = -1;
+  if (text.size() >= 2 && (text[0] == 'Y' || text[0] == 'B')) {
+    const char* end = text.data() + text.size();
+    if (std::from_chars(text.data() + 1, end, number).ptr != end) number = -1;
+  }
+  if (number < 0 || number > world::max_robot_number) {
+    throw std::invalid_argument("'" + text.substr(0, longest_shown) +
+                                "' is no robot, Y0 to Y15 or B0 to B15");
+  }
+  return {text[0] == 'Y' ? world::Team::Yellow : world::Team::Blue, static_cast<std::uint8_t>(number)};
+}
+
+std::int64_t whole_in(const Json& json, std::int64_t lowest, std::int64_t highest) {
+  const bool fits =
+      json.is_number_integer() && (!json.is_number_unsigned() || json.get<std::uint64_t>() <= most_signed);
+  const std::int64_t value = fits ? json.get<std::int64_t>() : 0;
+  if (!fits || value < lowest || value > highest) {
+    throw std::invalid_argument(json.dump().substr(0, longest_shown) + " is no whole number from " +
+                                std::to_string(lowest) + " to " + std::to_string(highest));
+  }
+  return value;
+}
+
+double number_in(const Json& json) {
+  const double value = json.is_number() ? json.get<double>() : NAN;
+  if (!(std::abs(value) <= largest)) {
+    throw std::invalid_argument(json.dump().substr(0, longest_shown) + " is no number up to 1e15");
+  }
+  return value;
+}
+
+world::Time time_in(const Json& json) {
+  return world::Time{world::Duration{whole_in(json, -latest, latest)}};
+}
+
+world::Vector2d place_in(const Json& json) {
+  const world::Vector2d place(number_in(json.at(0)), number_in(json.at(1)));
+  if (place.cwiseAbs().maxCoeff() > farthest) {
+    throw std::invalid_argument(json.dump().substr(0, longest_shown) + " is no place, up to 1000 m away");
+  }
+  return place;
 }
 
 Json touch_of(const std::optional<world::Touch>& touch) {
@@ -22,7 +72,7 @@ std::optional<world::Touch> touch_in(const Json& json) {
   world::Touch touch;
   touch.robot = robot_in(json.at(0).get<std::string>());
   touch.time = time_in(json.at(1));
-  touch.probability = json.at(2).get<double>();
+  touch.probability = number_in(json.at(2));
   return touch;
 }
 
@@ -59,8 +109,8 @@ TrueEvent truth_in(const Json& json, Event event) {
   truth.time = time_in(json.at("time"));
   if (json.contains("until")) truth.until = time_in(json.at("until"));
   if (json.contains("clear")) truth.clear = time_in(json.at("clear"));
-  truth.margin = json.at("margin").get<double>();
-  truth.value = json.at("value").get<double>();
+  truth.margin = number_in(json.at("margin"));
+  truth.value = number_in(json.at("value"));
   if (json.contains("by")) truth.by = robot_in(json.at("by").get<std::string>());
   truth.place = place_in(json.at("place"));
   truth.ambiguous = json.value("ambiguous", false);
@@ -72,14 +122,15 @@ TrueEvent truth_in(const Json& json, Event event) {
   last.robot = robot_in(its.at("robot").get<std::string>());
   last.time = time_in(its.at("time"));
   const auto kind = kind_named(its.at("kind").get<std::string>());
-  if (!kind) throw std::invalid_argument("no kind of touch: " + its.at("kind").get<std::string>());
+  if (!kind)
+    throw std::invalid_argument("no kind of touch: " + its.at("kind").dump().substr(0, longest_shown));
   last.kind = *kind;
   last.chip = its.value("chip", false);
   last.crowded = its.value("crowded", false);
   last.at_line = its.value("at_line", false);
-  last.impulse = its.value("impulse", 0.0);
-  last.alone = its.value("alone", 1e9);
-  last.lost = its.at("lost").get<int>();
+  if (its.contains("impulse")) last.impulse = number_in(its.at("impulse"));
+  if (its.contains("alone")) last.alone = number_in(its.at("alone"));
+  last.lost = count_in(its.at("lost"));
   truth.last = last;
   return truth;
 }

@@ -20,6 +20,21 @@ constexpr std::size_t buffer_size = 1 << 20;
 constexpr std::uint8_t no_number = 255;
 constexpr std::uint32_t longest_text = 1 << 20;  // more is damage
 
+// What is beyond these is damage, not a game. All ours: several times what a simulated game can hold.
+constexpr double farthest = 100;            // [m]
+constexpr double fastest = 1000;            // [m/s], and of impulses [N s]
+constexpr double fastest_turn = 1e6;        // [rad/s]
+constexpr double largest_angle = 1e6;       // [rad]
+constexpr std::size_t most_robots = 32;     // 16 patterns of each team
+constexpr std::size_t most_contacts = 512;  // of 4 substeps with 32 robots
+constexpr std::size_t most_images = 256;
+constexpr std::size_t most_objects = 1024;  // of a kind in one image
+constexpr int last_camera = 255;
+constexpr std::int64_t most_ticks = 1'000'000;  // four and a half hours
+constexpr world::Duration behind =
+    std::chrono::seconds{10};  // an image is delivered up to a second after its capture
+constexpr world::Duration ahead = std::chrono::seconds{1};
+
 template <class Value>
 void put(std::string& bytes, Value value) {
   static_assert(std::is_arithmetic_v<Value>);
@@ -146,104 +161,158 @@ RecordingReader::RecordingReader(std::filesystem::path file) : file_(std::move(f
   job_ = take_text();
 }
 
-void RecordingReader::damaged() const {
-  throw std::invalid_argument(file_.string() + ": is damaged or stops early; remove it and let " +
-                              "matchday judge DESIGN --keep play the game again");
+void RecordingReader::damaged(const std::string& what) {
+  stream_.clear();
+  const auto place = static_cast<std::int64_t>(stream_.tellg());
+  throw std::invalid_argument(
+      file_.string() + ": " + what + ", at byte " + std::to_string(place) + " after tick " +
+      std::to_string(tick_.truth.tick) +
+      ": is damaged or stops early; remove it and let matchday judge DESIGN --keep play "
+      "the game again");
 }
 
 template <class Value>
 Value RecordingReader::take() {
   std::array<char, sizeof(Value)> bytes{};
-  if (!stream_.read(bytes.data(), bytes.size())) damaged();
+  if (!stream_.read(bytes.data(), bytes.size())) damaged("a number is missing");
   return std::bit_cast<Value>(bytes);
 }
 
 std::string RecordingReader::take_text() {
   const auto size = take<std::uint32_t>();
-  if (size > longest_text) damaged();
+  if (size > longest_text) damaged("a text of " + std::to_string(size) + " bytes");
   std::string text(size, '\0');
-  if (!stream_.read(text.data(), size)) damaged();
+  if (!stream_.read(text.data(), size)) damaged("a text is cut short");
   return text;
 }
 
-world::RobotId RecordingReader::take_robot() {
+double RecordingReader::take_number(double largest) {
+  const auto value = take<double>();
+  if (!(std::abs(value) <= largest)) damaged("a number is " + std::to_string(value));  // also NaN
+  return value;
+}
+
+template <class Vector>
+void RecordingReader::take_all(Vector& vector, double largest) {
+  for (double& value : vector) value = take_number(largest);
+}
+
+world::Vector2d RecordingReader::take_on_wire() {
+  world::Vector2d metres;
+  for (double& value : metres) {
+    const auto millimetres = static_cast<double>(take<float>());
+    if (!(std::abs(millimetres) <= 1000 * farthest)) damaged("a place is " + std::to_string(millimetres));
+    value = millimetres / 1000.0;
+  }
+  return metres;
+}
+
+std::size_t RecordingReader::take_count(std::size_t most) {
+  const auto count = take<std::uint16_t>();
+  if (count > most)
+    damaged("there are " + std::to_string(count) + " of something, not at most " + std::to_string(most));
+  return count;
+}
+
+world::Time RecordingReader::take_time() {
+  const world::Time time{world::Duration{take<std::int64_t>()}};
+  const world::Time now = tick_.truth.time;
+  if (time > now + ahead || time < now - behind) damaged("an instant is far from its tick");
+  return time;
+}
+
+world::Team RecordingReader::take_team() {
   const auto team = take<std::uint8_t>();
-  if (team > 1) damaged();
-  return {static_cast<world::Team>(team), take<std::uint8_t>()};
+  if (team > 1) damaged("there is no team " + std::to_string(team));
+  return static_cast<world::Team>(team);
+}
+
+world::RobotId RecordingReader::take_robot() {
+  const world::Team team = take_team();
+  const auto number = take<std::uint8_t>();
+  if (number > world::max_robot_number) damaged("there is no robot " + std::to_string(number));
+  return {team, number};
+}
+
+void RecordingReader::take_truth(truth::Frame& truth) {
+  const auto tick = take<std::int64_t>();
+  if (begun_ ? tick != truth.tick + 1 : tick < 0 || tick > most_ticks)
+    damaged("tick " + std::to_string(tick) + " follows");
+  begun_ = true;
+  truth.tick = tick;
+  truth.time = world::tick_time(tick);
+  if (take<std::int64_t>() != ns(truth.time)) damaged("the tick's time is another one's");
+  take_all(truth.ball.position, farthest);
+  take_all(truth.ball.velocity, fastest);
+  take_all(truth.ball.spin, fastest_turn);
+  truth.robots.resize(take_count(most_robots));
+  for (std::size_t n = 0; n < truth.robots.size(); ++n) {
+    truth::Robot& robot = truth.robots[n];
+    robot.id = take_robot();
+    if (n > 0 && !(truth.robots[n - 1].id < robot.id)) damaged("the robots are not in order");
+    take_all(robot.position, farthest);
+    robot.orientation = take_number(largest_angle);
+    take_all(robot.velocity, fastest);
+    robot.angular_velocity = take_number(fastest_turn);
+    robot.ball_contact = take<std::uint8_t>() != 0;
+  }
+  truth.contacts.resize(take_count(most_contacts));
+  for (truth::Contact& contact : truth.contacts) {
+    contact.time = take_time();
+    contact.robot = take_robot();
+    take_all(contact.point, farthest);
+    contact.impulse = take_number(fastest);
+  }
+  truth.kicks.resize(take_count(most_contacts));
+  for (truth::Kick& kick : truth.kicks) {
+    kick.time = take_time();
+    kick.robot = take_robot();
+    take_all(kick.position, farthest);
+    take_all(kick.velocity, fastest);
+  }
+}
+
+void RecordingReader::take_image(world::Detection& image) {
+  image.camera = take<std::int32_t>();
+  if (image.camera < 0 || image.camera > last_camera)
+    damaged("there is no camera " + std::to_string(image.camera));
+  image.frame_number = take<std::uint32_t>();
+  image.t_capture = take_time();
+  image.t_sent = take_time();
+  image.balls.resize(take_count(most_objects));
+  for (world::DetectedBall& ball : image.balls) ball.position = take_on_wire();
+  image.robots.resize(take_count(most_objects));
+  for (world::DetectedRobot& robot : image.robots) {
+    robot.team = take_team();
+    const auto number = take<std::uint8_t>();
+    if (number > world::max_robot_number && number != no_number)
+      damaged("there is no robot " + std::to_string(number));
+    robot.number = number == no_number ? std::nullopt : std::optional(number);
+    robot.position = take_on_wire();
+    const auto orientation = static_cast<double>(take<float>());
+    if (std::abs(orientation) > largest_angle) damaged("an angle is " + std::to_string(orientation));
+    robot.orientation = std::isnan(orientation) ? std::nullopt : std::optional(orientation);
+  }
 }
 
 const RecordedTick* RecordingReader::next() {
-  const auto take_time = [this] { return world::Time{world::Duration{take<std::int64_t>()}}; };
-  const auto fill = [this](auto& vector) {
-    for (double& value : vector) value = take<double>();
-  };
-  const auto take_on_wire = [this] {
-    world::Vector2d metres;
-    for (double& value : metres) value = static_cast<double>(take<float>()) / 1000.0;
-    return metres;
-  };
   const char tag = take<char>();
   if (tag == end_follows) {
     ticks_ = take<std::int64_t>();
     hash_ = take_text();
+    if (ticks_ != tick_.truth.tick) damaged("the game ended at tick " + std::to_string(ticks_));
+    if (stream_.peek() != std::ifstream::traits_type::eof()) damaged("something follows the end");
     return nullptr;
   }
-  if (tag != tick_follows) damaged();
-
-  truth::Frame& truth = tick_.truth;
-  truth.tick = take<std::int64_t>();
-  truth.time = take_time();
-  fill(truth.ball.position);
-  fill(truth.ball.velocity);
-  fill(truth.ball.spin);
-  truth.robots.resize(take<std::uint16_t>());
-  for (truth::Robot& robot : truth.robots) {
-    robot.id = take_robot();
-    fill(robot.position);
-    robot.orientation = take<double>();
-    fill(robot.velocity);
-    robot.angular_velocity = take<double>();
-    robot.ball_contact = take<std::uint8_t>() != 0;
-  }
-  truth.contacts.resize(take<std::uint16_t>());
-  for (truth::Contact& contact : truth.contacts) {
-    contact.time = take_time();
-    contact.robot = take_robot();
-    fill(contact.point);
-    contact.impulse = take<double>();
-  }
-  truth.kicks.resize(take<std::uint16_t>());
-  for (truth::Kick& kick : truth.kicks) {
-    kick.time = take_time();
-    kick.robot = take_robot();
-    fill(kick.position);
-    fill(kick.velocity);
-  }
-  tick_.images.resize(take<std::uint16_t>());
-  for (world::Detection& image : tick_.images) {
-    image.camera = take<std::int32_t>();
-    image.frame_number = take<std::uint32_t>();
-    image.t_capture = take_time();
-    image.t_sent = take_time();
-    image.balls.resize(take<std::uint16_t>());
-    for (world::DetectedBall& ball : image.balls) ball.position = take_on_wire();
-    image.robots.resize(take<std::uint16_t>());
-    for (world::DetectedRobot& robot : image.robots) {
-      const auto team = take<std::uint8_t>();
-      if (team > 1) damaged();
-      robot.team = static_cast<world::Team>(team);
-      const auto number = take<std::uint8_t>();
-      robot.number = number == no_number ? std::nullopt : std::optional(number);
-      robot.position = take_on_wire();
-      const auto orientation = static_cast<double>(take<float>());
-      robot.orientation = std::isnan(orientation) ? std::nullopt : std::optional(orientation);
-    }
-  }
+  if (tag != tick_follows) damaged("neither a tick nor the end follows");
+  take_truth(tick_.truth);
+  tick_.images.resize(take_count(most_images));
+  for (world::Detection& image : tick_.images) take_image(image);
   const std::string state = take_text();
   try {
     if (!state.empty()) tick_.state = state_in(state);
-  } catch (const std::exception&) {
-    damaged();
+  } catch (const std::exception& error) {
+    damaged(std::string("the referee's state: ") + error.what());
   }
   return &tick_;
 }

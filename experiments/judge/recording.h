@@ -40,14 +40,14 @@ class RecordingWriter {
   std::string state_;  // the last one, as text
 };
 
-/// Reads it back, tick by tick.
+/// Reads it back, tick by tick. Every number is checked: a reader of a tick may use them as they are.
 class RecordingReader {
  public:
   /// @throws std::invalid_argument naming the file, when it is none
   explicit RecordingReader(std::filesystem::path file);
   const std::string& job() const { return job_; }
   /// The next tick; null after the last one. Valid until the next call.
-  /// @throws std::invalid_argument naming the file, when it is damaged
+  /// @throws std::invalid_argument naming the file and the place, when it is damaged
   const RecordedTick* next();
   /// After the last tick.
   std::int64_t ticks() const { return ticks_; }
@@ -57,8 +57,17 @@ class RecordingReader {
   template <class Value>
   Value take();
   std::string take_text();
+  double take_number(double largest);
+  template <class Vector>
+  void take_all(Vector& vector, double largest);
+  world::Vector2d take_on_wire();
+  std::size_t take_count(std::size_t most);
+  world::Time take_time();
+  world::Team take_team();
   world::RobotId take_robot();
-  [[noreturn]] void damaged() const;
+  void take_truth(truth::Frame& truth);
+  void take_image(world::Detection& image);
+  [[noreturn]] void damaged(const std::string& what);
 
   std::filesystem::path file_;
   std::vector<char> buffer_;
@@ -66,6 +75,7 @@ class RecordingReader {
   std::string job_, hash_;
   std::int64_t ticks_ = 0;
   RecordedTick tick_;
+  bool begun_ = false;  // a tick was read
 };
 
 }  // namespace judge

@@ -46,7 +46,7 @@ Snippet read_snippet(const std::filesystem::path& file) {
     const Json json = Json::parse(stream);
     const auto event_in = [](const Json& its) {
       const auto event = event_named(its.get<std::string>());
-      if (!event) throw std::invalid_argument("no event is called '" + its.get<std::string>() + "'");
+      if (!event) throw std::invalid_argument("no event is called " + its.dump().substr(0, 60));
       return *event;
     };
     snippet.game = json.at("game").get<std::string>();
@@ -62,7 +62,7 @@ Snippet read_snippet(const std::filesystem::path& file) {
       snippet.states.push_back({time_in(one.at("until")), state_in(one.at("state").dump())});
     }
     if (snippet.states.empty()) throw std::invalid_argument("'states' is empty");
-  } catch (const std::exception& error) {  // nlohmann's, ours, and those of std::stoi
+  } catch (const std::exception& error) {  // nlohmann's and ours
     throw std::invalid_argument(path.string() + ": " + error.what() +
                                 "; write it again with matchday judge DESIGN --show ... --save FILE");
   }

@@ -1,5 +1,6 @@
 #include "experiments/judge/state_text.h"
 
+#include <limits>
 #include <stdexcept>
 
 #include "experiments/judge/json_values.h"
@@ -20,18 +21,19 @@ Value named(const Json& json, int last) {
   for (int n = 0; n <= last; ++n) {
     if (text == world::name(static_cast<Value>(n))) return static_cast<Value>(n);
   }
-  throw std::invalid_argument("a game state cannot say '" + text + "'");
+  throw std::invalid_argument("a game state cannot say '" + text.substr(0, 60) + "'");
 }
 
-Team team_in(const Json& json) {
-  return json.get<std::string>() == world::name(Team::Blue) ? Team::Blue : Team::Yellow;
-}
+Team team_in(const Json& json) { return named<Team>(json, static_cast<int>(Team::Blue)); }
 
 template <class Value>
 Json pair_of(const world::PerTeam<Value>& both) {
   return Json::array({both.yellow, both.blue});
 }
-world::PerTeam<int> pair_in(const Json& json) { return {json.at(0).get<int>(), json.at(1).get<int>()}; }
+world::PerTeam<int> pair_in(const Json& json, int most) {
+  return {static_cast<int>(whole_in(json.at(0), 0, most)), static_cast<int>(whole_in(json.at(1), 0, most))};
+}
+constexpr int most_cards = 1000;  // ours: one every two seconds of a game
 
 }  // namespace
 
@@ -79,7 +81,8 @@ world::GameState state_in(const std::string& text) {
   state.stage = named<world::Stage>(json.at("stage"), last_stage);
   state.command.kind = named<world::CommandKind>(json.at("command"), last_command);
   state.command.team = team_in(json.at("command_team"));
-  state.command_counter = json.at("command_counter").get<std::uint32_t>();
+  state.command_counter = static_cast<std::uint32_t>(
+      whole_in(json.at("command_counter"), 0, std::numeric_limits<std::uint32_t>::max()));
   state.command_time = time_in(json.at("command_time"));
   state.call = named<world::CommandKind>(json.at("call"), last_command);
   state.restart = named<world::CommandKind>(json.at("restart"), last_command);
@@ -87,9 +90,9 @@ world::GameState state_in(const std::string& text) {
   state.goal_allowed = json.at("goal_allowed").get<bool>();
   state.is_kickoff = json.at("is_kickoff").get<bool>();
   state.blue_on_positive_half = json.at("blue_on_positive_half").get<bool>();
-  state.keeper = pair_in(json.at("keeper"));
-  state.red_cards = pair_in(json.at("red_cards"));
-  const world::PerTeam<int> yellow = pair_in(json.at("yellow_cards_now"));
+  state.keeper = pair_in(json.at("keeper"), world::max_robot_number);
+  state.red_cards = pair_in(json.at("red_cards"), most_cards);
+  const world::PerTeam<int> yellow = pair_in(json.at("yellow_cards_now"), most_cards);
   for (const Team team : world::both_teams) {
     state.yellow_times[team].resize(static_cast<std::size_t>(yellow[team]), std::chrono::seconds{120});
   }
@@ -97,6 +100,7 @@ world::GameState state_in(const std::string& text) {
   if (json.contains("touch_team")) state.touch_team = team_in(json.at("touch_team"));
   if (json.contains("last_touch")) {
     state.last_touch = touch_in(json.at("last_touch"));
+    if (!state.last_touch) throw std::invalid_argument("the last touch is null");
     state.last_touch->position = place_in(json.at("last_touch_at"));
   }
   if (json.contains("kicker")) state.kicker = robot_in(json.at("kicker").get<std::string>());

@@ -8,6 +8,7 @@ namespace {
 namespace proto = matchday::referee;
 
 constexpr world::Duration oldest = std::chrono::seconds{10};
+constexpr double farthest = 100;  // [m] no field is longer; ours
 
 std::optional<world::RobotId> robot(proto::Team team, std::uint32_t number) {
   if (team == proto::UNKNOWN || number > world::max_robot_number) return std::nullopt;
@@ -23,7 +24,8 @@ void say_who(const What& what, Call& call) {
     if (what.has_by_team()) call.by = robot(what.by_team(), 0);
   }
   if constexpr (requires { what.location(); }) {
-    call.place = {what.location().x(), what.location().y()};
+    const world::Vector2d place(what.location().x(), what.location().y());
+    if (place.cwiseAbs().maxCoeff() <= farthest && place.allFinite()) call.place = place;
   }
 }
 

@@ -45,6 +45,15 @@ TEST(Reported, ExitsSayWhoAndWhere) {
   EXPECT_EQ(call->place, world::Vector2d(1, -3));
 }
 
+// Else the game's result could not be read back: JSON has no such numbers.
+TEST(Reported, APlaceThatIsNoneIsNotTaken) {
+  proto::GameEvent event = exit_by(proto::BLUE, 4);
+  for (const float x : {std::nanf(""), HUGE_VALF, 1e9F}) {
+    event.mutable_ball_left_field_touch_line()->mutable_location()->set_x(x);
+    EXPECT_EQ(call_of(event, at(100))->place, world::Vector2d::Zero()) << x;
+  }
+}
+
 TEST(Reported, AnotherClockCountsAsNow) {
   proto::GameEvent event = exit_by(proto::YELLOW, 1);
   EXPECT_EQ(call_of(event, at(100))->time, at(100));  // says nothing

@@ -288,6 +288,38 @@ TEST(GameFile, SaysWhatIsDamaged) {
   }
 }
 
+// Numbers and names are looked up by the tables: what cannot be meant is damage, never arithmetic.
+TEST(GameFile, RefusesWhatCannotBeMeant) {
+  GameResult result = game();
+  result.cases = {exit_case(true, true, 0.9)};
+  const std::string text = to_json(result);
+  const auto complaint = [&](const std::string& from, const std::string& to) -> std::string {
+    std::string damaged = text;
+    const auto at = damaged.find(from);
+    if (at == std::string::npos) return "'" + from + "' is not in " + text;
+    damaged.replace(at, from.size(), to);
+    try {
+      game_from_json(damaged, "x.jsonl");
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_THAT(complaint("\"ticks\":", "\"ticks\":1e300,\"t\":"),
+              HasSubstr("x.jsonl:1: 1e+300 is no whole number"));
+  EXPECT_THAT(complaint("\"ticks\":", "\"ticks\":18446744073709551615,\"t\":"), HasSubstr("no whole number"));
+  EXPECT_THAT(complaint("\"seed\":", "\"seed\":-1,\"s\":"), HasSubstr("seed"));
+  EXPECT_THAT(complaint("\"close\":[", "\"close\":[1,"), HasSubstr("counts"));
+  EXPECT_THAT(complaint("\"ours\"", "\"rules=none\""), HasSubstr("none"));
+  EXPECT_THAT(complaint("\"found\",", "\"fond\","), HasSubstr("no result"));
+  EXPECT_THAT(complaint("\"time\":", "\"time\":9223372036854775807,\"t\":"), HasSubstr("no whole number"));
+  for (const char* robot : {"\"Y16\"", "\"Y-1\"", "\"Y\"", "\"Y1x\"", "\"G1\"", "\"Y99999999999\""}) {
+    EXPECT_THAT(complaint("\"by\":", std::string("\"by\":") + robot + ",\"b\":"), HasSubstr("no robot"))
+        << robot;
+  }
+  EXPECT_THAT(complaint("\"place\":[", "\"place\":[1e300,"), HasSubstr("number up to"));
+}
+
 TEST(ParseShadow, ReadsItsParts) {
   const ShadowConfig shadow =
       parse_shadow("rules=paper,touch=accel+line,exit_frames=5,vision.ball_sigma=0.002");
