@@ -22,9 +22,10 @@ constexpr world::Duration longest_game_with_winner = std::chrono::minutes{80};
 // A look at the teams' memory takes 0.1 ms; a program can take a few hundred MB between two (ours).
 constexpr std::chrono::milliseconds limits_interval{100};
 
-/// The robot the team names, else its lowest number.
+/// The robot the team names, else its lowest number; -1 when it names none that can be.
 int keeper_of(const wire::proto::TeamHello& hello, const record::TeamConfig& team) {
-  if (hello.has_keeper()) return static_cast<int>(hello.keeper());
+  if (hello.has_keeper())
+    return hello.keeper() <= world::max_robot_number ? static_cast<int>(hello.keeper()) : -1;
   return *std::min_element(team.robots.begin(), team.robots.end());
 }
 
@@ -97,7 +98,9 @@ Match::Match(const record::MatchConfig& config, const Options& options)
 record::MatchRecord Match::run() {
   record::MatchRecord record;
   try {
-    if (config_.continuation) recorded_ = std::make_unique<RecordedTeams>(config_.continuation->recording);
+    if (config_.continuation) {
+      recorded_ = std::make_unique<RecordedTeams>(config_.continuation->recording, config_);
+    }
     if (recorded_ && !config_.continuation->tick) {
       for (const world::Team team : world::both_teams) hellos_[team] = recorded_->hello(team);
     } else {

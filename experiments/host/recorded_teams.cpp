@@ -1,10 +1,29 @@
 #include "experiments/host/recorded_teams.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace host {
 
-RecordedTeams::RecordedTeams(const std::filesystem::path& path) : name_(path.string()), reader_(path) {}
+RecordedTeams::RecordedTeams(const std::filesystem::path& path, const record::MatchConfig& config)
+    : name_(path.string()), reader_(path) {
+  for (const world::Team team : world::both_teams) {
+    robots_[team] = config.teams[team].robots;
+    check(team, hello(team), 0);
+  }
+}
+
+// What a live team is asked before it may play.
+void RecordedTeams::check(world::Team team, const wire::proto::TeamHello& hello, std::int64_t tick) const {
+  if (!hello.has_keeper()) return;
+  const auto is_keeper = [&](int robot) {
+    return robot >= 0 && hello.keeper() == static_cast<std::uint32_t>(robot);
+  };
+  if (std::ranges::any_of(robots_[team], is_keeper)) return;
+  throw std::runtime_error(name_ + ": tick " + std::to_string(tick) + ": " + world::name(team) +
+                           " wants robot " + std::to_string(hello.keeper()) +
+                           " as its keeper, which is not on the field: the file is damaged");
+}
 
 const wire::proto::TeamHello& RecordedTeams::hello(world::Team team) const {
   return team == world::Team::Yellow ? reader_.start().yellow() : reader_.start().blue();
@@ -16,6 +35,9 @@ const wire::proto::Tick* RecordedTeams::replies(std::int64_t tick) {
     throw std::runtime_error(name_ + ": tick " + std::to_string(replies->tick()) + " where tick " +
                              std::to_string(tick) + " should be: the file is damaged");
   }
+  if (replies != nullptr && replies->has_new_yellow())
+    check(world::Team::Yellow, replies->new_yellow(), tick);
+  if (replies != nullptr && replies->has_new_blue()) check(world::Team::Blue, replies->new_blue(), tick);
   return replies;
 }
 

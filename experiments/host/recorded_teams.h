@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "experiments/record/match_config.h"
 #include "sim/wire/match.h"
@@ -11,19 +12,23 @@ namespace host {
 /// The teams of a recorded game, giving the replies they gave.
 class RecordedTeams {
  public:
-  /// @throws std::runtime_error naming the file when it is no recording
-  explicit RecordedTeams(const std::filesystem::path& path);
+  /// @param config  of the game that is played with it: its teams' robots
+  /// @throws std::runtime_error naming the file when it is no recording, or not one of such teams
+  RecordedTeams(const std::filesystem::path& path, const record::MatchConfig& config);
 
   const wire::proto::TeamHello& hello(world::Team team) const;
 
   /// The replies to that tick; null when the recording ends before it.
-  /// @throws std::runtime_error naming the file when the recording has another tick at this place
+  /// @throws std::runtime_error naming the file when the recording has another tick at this place, or teams
+  /// whose keeper is not on the field
   const wire::proto::Tick* replies(std::int64_t tick);
   /// After the end: the file stops in the middle of a record.
   bool cut() const { return reader_.cut(); }
 
  private:
+  void check(world::Team team, const wire::proto::TeamHello& hello, std::int64_t tick) const;
   std::string name_;
+  world::PerTeam<std::vector<int>> robots_;
   wire::RecordingReader reader_;
 };
 

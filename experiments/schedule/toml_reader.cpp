@@ -40,6 +40,12 @@ std::optional<std::string> word_of(const toml::node& node) {
   return std::nullopt;
 }
 
+/// As a double, rounded: toml++'s own conversion gives nothing for a whole number that no double is.
+double number_of(const toml::node& node) {
+  if (node.is_integer()) return static_cast<double>(*node.value_exact<std::int64_t>());
+  return *node.value_exact<double>();
+}
+
 std::string shown(const toml::node& node) {
   if (node.is_table()) return "{...}";
   if (node.is_array() && !node.as_array()->empty() && node.as_array()->get(0)->is_table()) return "[{...}]";
@@ -164,7 +170,8 @@ std::vector<TomlAxis> TomlTable::axes() const {
     for (const toml::node& element : *list.array) {
       const std::optional<std::string> word = word_of(element);
       if (word) {
-        axis.elements.push_back({*word, element.is_number() ? element.value<double>() : std::nullopt});
+        axis.elements.push_back(
+            {*word, element.is_number() ? std::optional(number_of(element)) : std::nullopt});
       } else if (const toml::array* many = element.as_array()) {
         axis.elements.push_back(
             {std::to_string(axis.elements.size() + 1), static_cast<double>(many->size())});
@@ -240,7 +247,7 @@ std::optional<double> TomlTable::number(const std::string& key) {
   const toml::node* node = node_->get(key);
   if (node == nullptr) return std::nullopt;
   if (!node->is_number()) reject(key, "must be a number");
-  return node->value<double>();
+  return number_of(*node);
 }
 
 std::optional<std::string> TomlTable::word(const std::string& key) {

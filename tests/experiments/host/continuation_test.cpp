@@ -142,5 +142,28 @@ TEST_F(RecordedGame, ThatIsCutOffIsPlayedAsFarAsItGoes) {
   EXPECT_GT(record.ticks, original.ticks / 4);
 }
 
+// A live team is asked; what a file says must be checked the same way.
+TEST_F(RecordedGame, WhoseKeeperIsNotOnTheFieldIsDamaged) {
+  wire::RecordingReader reader(*config.recording);
+  const std::filesystem::path file = directory / "keeper.replies";
+  const auto write = [&](bool in_hello) {
+    wire::RecordingWriter writer(file);
+    wire::proto::Recorded record;
+    *record.mutable_start() = reader.start();
+    if (in_hello) record.mutable_start()->mutable_blue()->set_keeper(4'000'000'000U);
+    writer.write(record);
+    record.mutable_tick()->set_tick(1);
+    if (!in_hello) record.mutable_tick()->mutable_new_yellow()->set_keeper(7);
+    writer.write(record);
+    writer.close();
+  };
+  MatchConfig again = continued(std::nullopt);
+  again.continuation->recording = file;
+  write(true);
+  EXPECT_THAT(play(again).reason, HasSubstr("keeper.replies: tick 0: blue wants robot 4000000000"));
+  write(false);
+  EXPECT_THAT(play(again).reason, HasSubstr("keeper.replies: tick 1: yellow wants robot 7"));
+}
+
 }  // namespace
 }  // namespace host

@@ -133,6 +133,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "night.toml:4: realism.vision.ball_sigma = 'x': must be a number"},
         Mistake{head + "[realism]\n[realism.vision]\nball_sigma = 5" + teams,
                 "night.toml:5: realism vision.ball_sigma = 5: must be from 0 to 0.1 m"},
+        Mistake{head + "[realism]\nvision.ball_sigma = 9007199254740993" + teams,  // no double is this
+                "night.toml:4: realism vision.ball_sigma = 9007199254740992: must be from"},
         Mistake{head + "[realism]\nvision.ball_sigma = nan" + teams,
                 "night.toml:4: realism vision.ball_sigma = nan: must be from"},
         Mistake{head + "[realism]\nvision.ball_sgma = 0" + teams,
