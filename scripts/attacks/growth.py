@@ -69,7 +69,8 @@ class Growth(Row):
             memory = int(fields["VmRSS"].split()[0]) * 1024
         except (OSError, KeyError):
             return None
-        if status.get("process") != runner.pid or not status.get("played"):
+        # At the end all games are read for the table, which is no growth.
+        if status.get("process") != runner.pid or status.get("state") != "running" or not status.get("played"):
             return None
         return {"games": status["played"], "seconds": status["seconds"], "memory": memory, "files": files,
                 "processes": len(night.family())}
