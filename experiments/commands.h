@@ -8,6 +8,7 @@
 
 #include "experiments/bench/bench.h"
 #include "experiments/isolation.h"
+#include "experiments/schedule/limits.h"
 
 // The subcommands of matchday: each takes what the command line said and returns the program's exit code.
 //
@@ -51,6 +52,7 @@ struct PlayOptions {
   bool blue_on_negative_half = false;
   bool blue_kicks_off = false;
   IsolationOptions isolation;
+  schedule::TeamTime team_time;
   OutputOptions output;
 };
 /// One game, told as it happens.
@@ -133,6 +135,7 @@ struct WorkerOptions {
   std::int64_t output = 4;          ///< [MiB] kept of what a team prints
   IsolationOptions isolation{"none", {}};
   std::vector<std::filesystem::path> hidden;  ///< folders that isolated teams do not see
+  schedule::TeamTime team_time;               ///< a team may take
 };
 /// One game for a runner.
 int worker(const WorkerOptions& options);

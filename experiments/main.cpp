@@ -26,6 +26,10 @@ fault; 5 trouble with a result folder; 10 sequential test: A is not better; 11 u
 played; 70 a mistake in matchday itself; 74 standard output cannot be written; 129, 130 and 143 interrupted by HUP,
 Ctrl-C and TERM (run: the same command continues); 141 whoever read standard output has gone.)";
 constexpr const char* short_footer = "\nExit codes: matchday --help tells them.";
+constexpr const char* design_footer = R"(
+A team loses a game by forfeit when it takes more of its own time, computing or asleep, than the design's [limits]
+allow: team_reply (5 s, for a reply), team_second (20 s, for the replies of a simulated second), team_game (1440 s, for
+those of a game). What the machine delays does not count.)";
 
 const CLI::Range robot_number(0, 15);
 const CLI::Range half_length(1.0, schedule::longest_half);  // [s]
@@ -101,6 +105,18 @@ void add_worker_isolation(CLI::App& app, commands::IsolationOptions& options,
   app.add_option("--hide", hidden)->allow_extra_args(false);
 }
 
+/// What a team may take of its own time, computing or asleep.
+void add_team_time(CLI::App& app, schedule::TeamTime& time) {
+  const auto add = [&](const char* flag, double& value, double least, const std::string& what) {
+    app.add_option(flag, value, "seconds of its own time that a team may take for " + what)
+        ->check(CLI::Range(least, 1e6))
+        ->capture_default_str();
+  };
+  add("--team-reply", time.reply, 0.001, "a reply");
+  add("--team-second", time.second, 0, "the replies of a simulated second; 0: any");
+  add("--team-game", time.game, 0, "those of a game; 0: any");
+}
+
 void add_play(CLI::App& main, commands::PlayOptions& options) {
   CLI::App& app = *main.add_subcommand("play", "play one game and tell every call");
   add_team(app, "blue", options.blue);
@@ -116,6 +132,7 @@ void add_play(CLI::App& main, commands::PlayOptions& options) {
   app.add_flag("--blue-on-negative-half", options.blue_on_negative_half, "blue defends the goal at -x first");
   app.add_flag("--blue-kicks-off", options.blue_kicks_off, "blue has the first kickoff");
   add_isolation(app, options.isolation);
+  add_team_time(app, options.team_time);
   add_output(app, options.output);
 }
 
@@ -276,6 +293,7 @@ void add_worker(CLI::App& main, commands::WorkerOptions& options) {
   app.add_option("--team-memory", options.team_memory, "[MiB]");
   app.add_option("--output", options.output, "[MiB]");
   add_worker_isolation(app, options.isolation, options.hidden);
+  add_team_time(app, options.team_time);
 }
 
 /// CLI11 would only say that a command is missing.
@@ -340,7 +358,8 @@ int matchday(int argc, char** argv) {
   add_judge_game(app, judge_game);
   app.footer(footer);  // after them: they would inherit it
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    command->footer(short_footer);
+    command->footer((command->get_name() == "run" || command->get_name() == "plan" ? design_footer : "") +
+                    std::string(short_footer));
 
   if (argc > 1 && argv[1][0] != '-') check_command(app, argv[1]);
   check_flags(app, argc, argv);

@@ -3,6 +3,7 @@
 #include <sched.h>
 
 #include <chrono>
+#include <cmath>
 #include <ostream>
 
 #include "experiments/runner/signals.h"
@@ -10,12 +11,21 @@
 
 namespace commands {
 
+void set_team_time(const schedule::TeamTime& time, host::Options& options) {
+  const auto milliseconds = [](double seconds) {
+    return std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(1000 * seconds)));
+  };
+  options.reply_deadline = milliseconds(time.reply);
+  options.budget = {.second = milliseconds(time.second), .game = milliseconds(time.game)};
+}
+
 OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls, bool explain,
                       host::Options options) {
   OneGame game;
   runner::Signals signals;
   options.cpu = ::sched_getcpu();
-  options.interrupted = [&, calls] {
+  options.interrupted = [&, calls, also = options.interrupted] {
+    if (also && also()) return true;
     if (!game.signal) game.signal = signals.wait(std::chrono::milliseconds{0});
     // Whoever read the calls has gone or the disk is full: without a file to be written, nobody wants the
     // rest.

@@ -7,6 +7,7 @@
 #include "experiments/isolation.h"
 #include "experiments/record/match_config.h"
 #include "experiments/record/match_record.h"
+#include "experiments/schedule/limits.h"
 
 namespace commands {
 
@@ -16,6 +17,9 @@ struct OneGame {
   std::optional<int> signal;  ///< that ended it
 };
 
+/// As the options of a game have it.
+void set_team_time(const schedule::TeamTime& time, host::Options& options);
+
 /// Plays it and tells every call as it happens; null: silent.
 ///
 /// @param settings  how it is run, as far as not decided here
@@ -24,8 +28,9 @@ OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls, bo
 
 /// Checks the configuration, plays it and tells all of it, as text or JSON.
 /// @param isolation  what the teams see
+/// @param time       what a team may take
 /// @return  the exit code
 int tell_one_game(const record::MatchConfig& config, bool json, bool explain,
-                  const IsolationOptions& isolation);
+                  const IsolationOptions& isolation, const schedule::TeamTime& time = {});
 
 }  // namespace commands

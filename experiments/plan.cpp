@@ -2,6 +2,7 @@
 #include <sched.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -15,6 +16,8 @@
 #include "experiments/one_game.h"
 #include "experiments/plan_text.h"
 #include "experiments/record/json_text.h"
+#include "experiments/runner/pace.h"
+#include "experiments/runner/preflight.h"
 #include "experiments/schedule/schedule.h"
 #include "experiments/start.h"
 #include "experiments/stats/correlation.h"
@@ -25,8 +28,9 @@ namespace commands {
 namespace {
 
 constexpr double calibration_half = 30;  // [s] long enough that starting the teams is a small part
-// A game goes on a little after the time of each half: 1228.7 s of 1200 in the game of the README.
-constexpr double overrun = 1.024;
+// A team that takes long for every tick must not make a plan take long (ours).
+constexpr std::chrono::seconds longest_short_game{20};
+constexpr std::chrono::seconds longest_calibration{60};
 
 int processors() {
   cpu_set_t set;
@@ -117,27 +121,53 @@ std::string other_games(const schedule::Design& earlier, const schedule::Design&
   return text;
 }
 
-/// A short game of the first condition, here and now.
-Speed calibrate(schedule::Design& design, const std::filesystem::path& folder) {
+/// Short games of every two programs that meet in the design, here and now.
+///
+/// @param remark  a team that is too slow is added to it
+/// @throws std::invalid_argument when a game cannot be played
+Speed calibrate(schedule::Design& design, const std::filesystem::path& folder, int workers,
+                std::string& remark) {
+  using Clock = std::chrono::steady_clock;
   builds::prepare(design, folder / "builds", std::cerr);
-  record::MatchConfig config = schedule::game(design, 0).config;
-  config.half_length = std::min(calibration_half, half_of(design));
-  config.winner = false;
-  host::Options settings;
-  settings.isolation = chosen_isolation(design.isolation, "isolation =").level;
-  settings.visible = visible_paths(design.visible, "visible =");
-  const OneGame game = play_one_game(config, nullptr, false, settings);
-  if (game.record.at_fault != record::Party::Nobody) {
-    throw std::invalid_argument(
-        "the short game that measures the pace ended by a fault: " + game.record.reason +
-        "; mend that first, since no game of the design can be played");
+  const auto isolation = chosen_isolation(design.isolation, "isolation =").level;
+  const auto visible = visible_paths(design.visible, "visible =");
+  std::vector<runner::Pace> paces;
+  const std::vector<runner::PreflightGame> games = runner::preflight_games(design);
+  double all = 0;
+  const Clock::time_point begin = Clock::now();
+  for (const runner::PreflightGame& one : games) {
+    const Clock::time_point now = Clock::now();
+    if (!paces.empty() && now - begin > longest_calibration) break;
+    record::MatchConfig config = one.job.game.config;
+    config.half_length = std::min(calibration_half, half_of(design));
+    host::Options settings;
+    set_team_time(design.limits.team_time, settings);
+    settings.isolation = isolation;
+    settings.visible = visible;
+    settings.interrupted = [&] { return Clock::now() - now > longest_short_game; };
+    const OneGame game = play_one_game(config, nullptr, false, settings);
+    const bool long_enough = game.record.termination == record::Termination::Interrupted && !game.signal;
+    if (game.record.at_fault != record::Party::Nobody && !long_enough) {
+      throw std::invalid_argument(
+          "the short game that measures the pace ended by a fault: " + game.record.reason +
+          "; mend that first, since no game of the design can be played");
+    }
+    paces.push_back(runner::pace_of(config, {game.record}, one.games));
+    all += one.games;
+    if (const std::string problem = runner::budget_problem(design, paces.back()); !problem.empty()) {
+      remark += "note: " + problem + "\n";
+    }
   }
-  const double simulated = static_cast<double>(game.record.ticks) * world::tick_length;
-  const double pace = simulated / game.record.wall_seconds;
-  return {2 * half_of(design) * overrun / pace,
-          fmt::format("measured: a game of {:.0f} simulated s just now, {:.0f} times real time; a busy "
-                      "machine looks slower",
-                      simulated, pace)};
+  if (const std::string slow = runner::slowest_team(design, paces, static_cast<std::size_t>(workers));
+      !slow.empty())
+    remark += "note: " + slow + "\n";
+  const double tick = runner::expected_seconds(design, paces, 1) / runner::full_game_ticks(design) / all;
+  const std::string which = games.size() == 1 ? "a short game"
+                                              : fmt::format("short games of {} of {} pairings of programs",
+                                                            paces.size(), games.size());
+  return {tick * runner::full_game_ticks(design),
+          fmt::format("measured: {} just now, {:.0f} times real time; a busy machine looks slower", which,
+                      world::tick_length / tick)};
 }
 
 }  // namespace
@@ -157,9 +187,9 @@ int plan(const PlanOptions& options) {
     spread = spread_of(earlier);
     remark = other_games(earlier.design, design, folder);
   }
-  if (!speed) speed = calibrate(design, usual_folder(design));
-  std::cout << plan_text(design, speed, spread, options.workers > 0 ? options.workers : processors())
-            << remark;
+  const int workers = options.workers > 0 ? options.workers : processors();
+  if (!speed) speed = calibrate(design, usual_folder(design), workers, remark);
+  std::cout << plan_text(design, speed, spread, workers) << remark;
   return done;
 }
 

@@ -63,11 +63,12 @@ int play(const PlayOptions& options) {
   config.log = options.output.log;
   config.recording = options.output.recording;
   config.directory = options.output.team_logs;
-  return tell_one_game(config, options.output.json, options.output.explain, options.isolation);
+  return tell_one_game(config, options.output.json, options.output.explain, options.isolation,
+                       options.team_time);
 }
 
 int tell_one_game(const record::MatchConfig& config, bool json, bool explain,
-                  const IsolationOptions& isolation) {
+                  const IsolationOptions& isolation, const schedule::TeamTime& time) {
   check_temporary_folder(Games::Here);
   host::check(config);
   check_output("--log", config.log, ".log");
@@ -76,7 +77,8 @@ int tell_one_game(const record::MatchConfig& config, bool json, bool explain,
 
   const bool live = !config.continuation || config.continuation->tick;
   std::string sentence;
-  const host::Options settings = live ? isolated_game(isolation, &sentence) : host::Options{};
+  host::Options settings = live ? isolated_game(isolation, &sentence) : host::Options{};
+  set_team_time(time, settings);
   if (live && !json) std::cout << sentence << "\n";
   if (!json) tell_circumstances(config, std::cout);
   const OneGame game = play_one_game(config, json ? nullptr : &std::cout, explain, settings);

@@ -87,6 +87,7 @@ int replay(const ReplayOptions& options) {
     settings.hidden = {std::filesystem::weakly_canonical(std::filesystem::absolute(options.folder))};
   }
   settings.memory_limit = experiment.design.limits.team_memory << 20;
+  set_team_time(experiment.design.limits.team_time, settings);
   if (options.recorded) {
     config.continuation = record::Continuation{replies_of(options.folder, attempt), std::nullopt};
     if (attempt.record.ticks > 0) settings.last_tick = attempt.record.ticks;

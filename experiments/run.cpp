@@ -2,12 +2,14 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "experiments/builds/builds.h"
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/experiment.h"
+#include "experiments/record/json_text.h"
 #include "experiments/record/ledger.h"
 #include "experiments/report/formats.h"
 #include "experiments/schedule/command_line.h"
@@ -44,9 +46,13 @@ int run(const RunOptions& options) {
   settings.workers = options.workers;
   settings.limits = design.limits;
   settings.preflight = options.preflight;
+  const schedule::TeamTime& time = design.limits.team_time;
   settings.worker_command = {own_program(),   "worker",
                              "--team-memory", std::to_string(design.limits.team_memory),
-                             "--output",      std::to_string(design.limits.output)};
+                             "--output",      std::to_string(design.limits.output),
+                             "--team-reply",  record::number(std::max(0.001, time.reply)),
+                             "--team-second", record::number(time.second),
+                             "--team-game",   record::number(time.game)};
   const ChosenIsolation isolation =
       chosen_isolation(design.isolation, options.design.string() + ": isolation =");
   const std::vector<std::string> flags = worker_flags(

@@ -3,6 +3,7 @@
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/host/play.h"
+#include "experiments/one_game.h"
 #include "experiments/runner/job_files.h"
 #include "experiments/runner/signals.h"
 
@@ -16,8 +17,10 @@ int worker(const WorkerOptions& options) {
   settings.interrupted = [&signals] { return signals.wait(std::chrono::milliseconds{0}).has_value(); };
   settings.memory_limit = options.team_memory << 20;
   settings.kept_output = static_cast<std::size_t>(options.output) << 20;
+  set_team_time(options.team_time, settings);
   settings.must_be_plausible = true;
   runner::ProgressWriter progress(runner::progress_file(options.result));
+  settings.on_start = [&progress](engine::Engine&) { progress.write(0); };  // both teams have said hello
   settings.on_second = [&progress](world::Time time, const world::PerTeam<int>&) {
     progress.write(world::seconds(time));  // the sign of life that the runner watches
   };

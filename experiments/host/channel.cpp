@@ -1,5 +1,6 @@
 #include "experiments/host/channel.h"
 
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -18,7 +19,8 @@ timeval as_timeval(std::chrono::milliseconds span) {
 
 }  // namespace
 
-Channel::Channel(int socket) : socket_(socket), buffer_(receive_bytes) {
+Channel::Channel(int socket, std::size_t longest)
+    : socket_(socket), reader_(longest), buffer_(receive_bytes) {
   const timeval limit = as_timeval(slice);
   ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
   ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit);
@@ -64,6 +66,16 @@ Channel::Status Channel::receive(std::span<const std::byte>& payload) {
     bytes_in_ += count;
     reader_.append({buffer_.data(), static_cast<std::size_t>(count)});
   }
+}
+
+bool Channel::has_input() const {
+  pollfd watched{socket_, POLLIN, 0};
+  return ::poll(&watched, 1, 0) > 0;
+}
+
+bool Channel::has_bytes() const {
+  char one = 0;
+  return ::recv(socket_, &one, 1, MSG_PEEK | MSG_DONTWAIT) > 0;
 }
 
 }  // namespace host

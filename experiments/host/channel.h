@@ -21,7 +21,8 @@ class Channel {
   static constexpr std::chrono::milliseconds slice{10};
 
   /// Takes the connected socket over.
-  explicit Channel(int socket);
+  /// @param longest  [bytes] of a frame's payload that is accepted
+  explicit Channel(int socket, std::size_t longest = wire::max_frame_size);
   Channel(Channel&& other) noexcept;
   Channel(const Channel&) = delete;
   Channel& operator=(Channel&&) = delete;
@@ -32,8 +33,16 @@ class Channel {
   Status send(std::string_view& rest);
 
   /// The next frame's payload, valid until the next call; Waiting: none came within a slice.
-  /// @throws wire::FrameError when what came is not a frame
+  /// @throws wire::FrameError when what came is not a frame, or one that is too long: before it is read
   Status receive(std::span<const std::byte>& payload);
+
+  /// Whether bytes have come that were not read, or the other side has hung up.
+  bool has_input() const;
+  /// Whether bytes have come that were not read.
+  bool has_bytes() const;
+  /// [bytes] read, but not yet returned as a frame.
+  std::size_t pending() const { return reader_.pending(); }
+  int socket() const { return socket_; }
 
   std::int64_t bytes_in() const { return bytes_in_; }
   /// How often the system was called for it, both ways.

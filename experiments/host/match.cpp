@@ -1,11 +1,10 @@
 #include "experiments/host/match.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "experiments/host/cell.h"
-#include "sim/engine/realism.h"
+#include "sim/wire/team_limits.h"
 #include "sim/world/rules/rule_set.h"
 
 namespace host {
@@ -22,6 +21,9 @@ constexpr world::Duration longest_game_with_winner = std::chrono::minutes{80};
 // A look at the teams' memory takes 0.1 ms; a program can take a few hundred MB between two (ours).
 constexpr std::chrono::milliseconds limits_interval{100};
 
+// Ours: teams answer within 0.1 ms; a later answer is worth a system call more.
+constexpr std::chrono::milliseconds late{1};
+
 /// The robot the team names, else its lowest number; -1 when it names none that can be.
 int keeper_of(const wire::proto::TeamHello& hello, const record::TeamConfig& team) {
   if (hello.has_keeper())
@@ -30,57 +32,6 @@ int keeper_of(const wire::proto::TeamHello& hello, const record::TeamConfig& tea
 }
 
 }  // namespace
-
-world::RuleSet rules_of(const record::MatchConfig& config) {
-  world::RuleSet rules = world::rule_set(config.rules);
-  if (config.half_length) {
-    if (!(*config.half_length > 0 && *config.half_length <= 1200)) {  // also not a number
-      throw std::invalid_argument("half_length " + std::to_string(*config.half_length) +
-                                  ": more than 0 and at most 1200 seconds are possible");
-    }
-    rules.extra_half_length = world::from_seconds(
-        *config.half_length * world::seconds(rules.extra_half_length) / world::seconds(rules.half_length));
-    rules.half_length = world::from_seconds(*config.half_length);
-  }
-  rules.winner = config.winner;
-  return rules;
-}
-
-engine::Realism realism_of(const record::RealismConfig& config) {
-  engine::Realism realism = engine::realism(config.preset);
-  for (const auto& [key, value] : config.changes) engine::set(realism, key, value);
-  return realism;
-}
-
-engine::Model model_of(const record::MatchConfig& config) {
-  const world::RuleSet rules = rules_of(config);
-  engine::Model model;
-  model.geometry.field = rules.field;
-  model.blue_on_positive_half = config.blue_on_positive_half;
-  model.realism = realism_of(config.realism);
-  const vision::Params& vision = model.realism.vision;
-  model.geometry.cameras = world::camera_grid(rules.field, vision.cameras, vision.camera_height);
-  model.geometry.ball_slide_deceleration = model.realism.physics.ball.slide_deceleration;
-  model.geometry.ball_roll_deceleration = model.realism.physics.ball.roll_deceleration;
-  model.seed = config.seed;
-  for (const world::Team team : world::both_teams) {
-    const record::TeamConfig& its = config.teams[team];
-    const std::string who = std::string(world::name(team)) + " (" + its.name + "): ";
-    if (its.command.empty() || its.command.front().empty())
-      throw std::invalid_argument(who + "command is empty");
-    if (its.robots.empty() || static_cast<int>(its.robots.size()) > rules.robots_per_team) {
-      throw std::invalid_argument(who + "robots lists " + std::to_string(its.robots.size()) +
-                                  " robots, 1 to " + std::to_string(rules.robots_per_team) + " are possible");
-    }
-    try {
-      model.robots[team] = engine::standard_robots(team, its.robots, its.speed_factor, model.realism.robots);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(who + error.what());
-    }
-  }
-  engine::check(model);
-  return model;
-}
 
 Match::Match(const record::MatchConfig& config, const Options& options)
     : config_(config),
@@ -197,7 +148,10 @@ void Match::welcome(world::Team team, const wire::proto::TeamHello& hello) {
     process.blame(Termination::Nonsense, "wants robot " + std::to_string(hello.keeper()) +
                                              " as its keeper, which is not on the field");
   }
+  const std::string excess = wire::excess(hello);
+  if (!excess.empty()) return process.blame(Termination::Nonsense, excess);
   hellos_[team] = hello;
+  hellos_[team].DiscardUnknownFields();
 }
 
 void Match::create_referee() {
@@ -239,11 +193,15 @@ void Match::play_ticks() {
   if (options_.stopwatch != nullptr) engine_.measure(&timing_);
   if (options_.on_start) options_.on_start(engine_);
   const auto begin = Patience::Clock::now();
+  for (const world::Team team : world::both_teams) {
+    if (!config_.continuation) teams_[team]->begin_budget(options_.budget, begin);
+  }
   while (tick()) {
     if (engine_.tick() % world::ticks_per_second == 0) {
       vitals_.add(engine_.truth(), commands_, referee_->message(), referee_->state());
       look_around();
       refuse_visitors();
+      begin_second();
       if (options_.on_second) options_.on_second(engine_.time(), referee_->state().score);
       const world::Duration longest = config_.winner ? longest_game_with_winner : longest_game;
       if (engine_.time().time_since_epoch() > longest) throw Overlong{};
@@ -330,6 +288,12 @@ void Match::new_teams() {
   if (recorder_) recorder_->new_teams(hellos_);
 }
 
+void Match::begin_second() {
+  const auto now = Budget::Clock::now();
+  const std::int64_t number = engine_.tick() / world::ticks_per_second + 1;
+  for (const world::Team team : world::both_teams) teams_[team]->begin_second(number, now);
+}
+
 void Match::exchange() {
   world::PerTeam<std::string_view> frames;
   for (const world::Team team : world::both_teams) frames[team] = messages_.frame(team, engine_);
@@ -337,13 +301,20 @@ void Match::exchange() {
 
   // Both are written before either is read: the teams think at the same time, or at least neither waits for
   // the other.
-  allow(options_.reply_deadline);
+  for (const world::Team team : world::both_teams) teams_[team]->check_nothing_is_ahead(engine_.tick());
+  const Budget::Clock::time_point begin = Budget::Clock::now();
+  for (const world::Team team : world::both_teams) {
+    teams_[team]->allow(options_.reply_deadline, begin);
+    teams_[team]->begin_tick(begin);
+  }
   for (const world::Team team : world::both_teams) teams_[team]->send(frames[team], idle_);
+  if (slow_) see_who_answers({teams_.yellow.get(), teams_.blue.get()});
   // First the one that was written to last: by then the other has answered, which wakes nobody.
   world::PerTeam<bool> came;
-  for (const world::Team team : {world::Team::Blue, world::Team::Yellow}) {
-    came[team] = teams_[team]->receive(idle_);
-  }
+  came.blue = teams_.blue->receive(idle_);
+  if (!slow_) teams_.yellow->wait_only_from(teams_.blue->answered());
+  came.yellow = teams_.yellow->receive(idle_);
+  slow_ = std::max(teams_.blue->answered(), teams_.yellow->answered()) - begin > late;
   lap(Part::Channel);
 
   for (const world::Team team : world::both_teams) {
@@ -371,13 +342,15 @@ void Match::take_reply(world::Team team) {
                                              std::to_string(engine_.tick()) + " was sent");
     return;
   }
+  const std::string excess = wire::excess(reply);
+  if (!excess.empty()) return process.blame(Termination::Nonsense, excess);
   take_reply(team, reply);
 }
 
 void Match::take_reply(world::Team team, const wire::proto::MatchReply& reply) {
   wire::decode(reply.control(), commands_[team], bad_commands_[team]);
   if (reply.has_request()) grant(team, reply.request());
-  if (recorder_) recorder_->reply(team).CopyFrom(reply);
+  if (recorder_) wire::copy_what_counts(reply, recorder_->reply(team));
 }
 
 void Match::grant(world::Team team, const wire::proto::Request& request) {
@@ -463,7 +436,9 @@ void Match::end(record::MatchRecord& record) {
     record.versions[team] = hello.name() + (hello.version().empty() ? "" : " " + hello.version());
   }
   const std::string farewell = record.reason.empty() ? "the game is over" : record.reason;
+  const Budget::Clock::time_point now = Budget::Clock::now();
   for (const world::Team team : world::both_teams) {
+    teams_[team]->settle_budget(now);
     teams_[team]->end(farewell, options_.stop_grace);
     if (const int strangers = teams_[team]->strangers(); strangers > 0) {
       record.costs[std::string("refused_connections_") + world::name(team)] = strangers;

@@ -38,6 +38,7 @@ class Match {
 
   /// What the teams' processes have used, after run().
   const process::Usage& usage(world::Team team) const { return teams_[team]->usage(); }
+  double own_seconds(world::Team team) const { return teams_[team]->own_seconds(); }  ///< see Budget
 
  private:
   struct Interrupted {};
@@ -55,6 +56,7 @@ class Match {
   void create_referee();
   void play_ticks();
   bool tick();  // false when the game is over
+  void begin_second();
   void exchange();
   void take_reply(world::Team team);
   void take_reply(world::Team team, const wire::proto::MatchReply& reply);
@@ -89,6 +91,7 @@ class Match {
   Tally tally_;
   Vitals vitals_;
   Patience::Clock::time_point limits_checked_{};
+  bool slow_ = false;  // the last tick was answered late
   statistics::Observer statistics_;
   world::PerTeam<world::TeamCommands> commands_;
   world::PerTeam<int> bad_commands_{};

@@ -32,7 +32,10 @@ record::MatchRecord play(const record::MatchConfig& config, const Options& optio
   try {
     Match match(config, options);
     record = match.run();
-    for (const world::Team team : world::both_teams) note(world::name(team), match.usage(team), record);
+    for (const world::Team team : world::both_teams) {
+      note(world::name(team), match.usage(team), record);
+      record.costs[std::string("own_seconds_") + world::name(team)] = match.own_seconds(team);
+    }
   } catch (const std::exception& error) {
     record = {};
     record.termination = record::Termination::HarnessFault;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "autoref/referee/referee.h"
+#include "experiments/host/budget.h"
 #include "experiments/host/stopwatch.h"
 #include "experiments/process/isolation.h"
 #include "experiments/record/match_config.h"
@@ -18,6 +19,12 @@
 
 namespace host {
 
+// Of a team's own time; more ends the game as OverLimit. Ours: a third of the minute after which a runner
+// takes a game for stuck, so that two teams fit into it, and two fifths of the hour it gives a game. Over a
+// game that is 19 ms a tick: a team that is ready for the league, with 16.7 ms, plays.
+inline constexpr std::chrono::milliseconds usual_second{20'000};
+inline constexpr std::chrono::milliseconds usual_game{1'440'000};
+
 /// How a game is run, none of which changes what happens in it.
 struct Options {
   int cpu =
@@ -25,7 +32,8 @@ struct Options {
   // In the team's own time, see patience.h.
   std::chrono::milliseconds connect_deadline{10'000};  ///< to connect, and then for the hello
   std::chrono::milliseconds reply_deadline{5'000};     ///< for each reply
-  std::chrono::milliseconds stop_grace{1'000};         ///< between goodbye or TERM and KILL
+  Budget::Allowed budget{usual_second, usual_game};  ///< for all replies, see budget.h; not in continuations
+  std::chrono::milliseconds stop_grace{1'000};       ///< between goodbye or TERM and KILL
 
   // What a team may use, all its processes together; more ends the game as OverLimit. 0: any amount. Ours:
   // many times what any team of the league needs, and few enough for a machine with several games.

@@ -3,8 +3,12 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+
 #include "experiments/process/family.h"
 #include "experiments/process/tree.h"
+#include "sim/wire/team_limits.h"
 
 namespace host {
 namespace {
@@ -19,6 +23,9 @@ constexpr int log_look_share = 50;
 
 // What bubblewrap says of a program with a missing interpreter, or for another kind of machine.
 constexpr const char* cannot_execute = "bwrap: execvp ";
+
+// All processes of the machine are looked at for those that left their parents: some ms (ours).
+constexpr auto strays_interval = 5s;
 
 /// The team's own words: nearly always the reason.
 std::string said(const process::Child& child) {
@@ -62,7 +69,32 @@ void TeamProcess::start(const Start& how) {
 
 void TeamProcess::count_time(Patience::Clock::time_point now) {
   if (!child_ || fault_) return;
-  patience_.count(now, [this] { return process::family_activity(child_->pid()); });
+  // Who has answered waits for us, while we wait for the other team.
+  if (budget_.waiting() && channel_ && channel_->has_input()) budget_.answered(now);
+  patience_.count(now, [&] { return activity(now); });
+  if (!budget_.wants_look(now)) return;
+  budget_.look(now, activity(now), process::own_delay());
+  if (const std::string excess = budget_.excess(); !excess.empty()) blame(Termination::OverLimit, excess);
+}
+
+process::Activity TeamProcess::activity(Budget::Clock::time_point now) {
+  std::vector<pid_t> processes = process::family_of(child_->pid());
+  if (now - strays_looked_for_ > strays_interval) {
+    strays_looked_for_ = now;
+    strays_ = process::started_with(family().mark);
+  }
+  for (const pid_t stray : strays_) {
+    if (std::find(processes.begin(), processes.end(), stray) == processes.end()) processes.push_back(stray);
+  }
+  return process::activity_of(processes);
+}
+
+void TeamProcess::begin_budget(Budget::Allowed allowed, Budget::Clock::time_point now) {
+  if (child_ && !fault_) budget_.begin(allowed, now, activity(now), process::own_delay());
+}
+
+void TeamProcess::settle_budget(Budget::Clock::time_point now) {
+  if (child_ && !child_->has_ended()) budget_.look(now, activity(now), process::own_delay());
 }
 
 bool TeamProcess::waited_enough(Termination termination, const std::string& what) {
@@ -94,7 +126,7 @@ void TeamProcess::accept(const Idle& while_waiting) {
 void TeamProcess::admit(int socket) {
   const Whose who = whose(peer_of(socket), family(), opponent_ != nullptr ? opponent_->family() : Family{});
   if (!channel_ && (who == Whose::Own || who == Whose::OwnBySaying)) {
-    channel_.emplace(socket);
+    channel_.emplace(socket, wire::max_team_frame);
     let_in_by_saying_ = who == Whose::OwnBySaying;
     return;
   }
@@ -145,6 +177,15 @@ void TeamProcess::note_gone() {
   blame(exit.clean() ? Termination::Closed : Termination::Crashed, exit.describe() + when + said(*child_));
 }
 
+void TeamProcess::check_nothing_is_ahead(std::int64_t tick) {
+  if (fault_ || !channel_) return;
+  // Once a second also what the system holds for us; every tick what came with the last answer.
+  const bool whole_second = tick % world::ticks_per_second == 0;
+  if (channel_->pending() == 0 && !(whole_second && channel_->has_bytes())) return;
+  blame(Termination::Nonsense, "sent more than one answer: there were bytes of it before tick " +
+                                   std::to_string(tick) + " was sent to it");
+}
+
 void TeamProcess::send(std::string_view frame, const Idle& while_waiting) {
   while (!fault_) {
     switch (channel_->send(frame)) {
@@ -172,11 +213,13 @@ bool TeamProcess::receive(const Idle& while_waiting) {
     }
     if (status == Channel::Status::Done) {
       patience_.end();
+      if (budget_.waiting()) budget_.answered(Budget::Clock::now());
       return true;
     }
     if (status == Channel::Status::Closed || child_->has_ended()) {
       note_gone();
     } else if (!waited_enough(Termination::NotResponding, "did not answer")) {
+      if (!budget_.waiting()) budget_.sent(Budget::Clock::now());  // a part of an answer was there
       while_waiting();
     }
   }
@@ -226,6 +269,25 @@ void TeamProcess::check_logs(std::int64_t output) {
     blame(Termination::OverLimit, "left more than " + std::to_string(bounds.entries) +
                                       " files, or folders deeper than " + std::to_string(bounds.depth) +
                                       ", in its log folder");
+  }
+}
+
+void see_who_answers(const world::PerTeam<TeamProcess*>& teams) {
+  const Budget::Clock::time_point until = Budget::Clock::now() + Channel::slice;
+  for (Budget::Clock::time_point now{}; now < until;) {
+    std::array<pollfd, 2> sockets{};
+    std::array<TeamProcess*, 2> owing{};
+    nfds_t count = 0;
+    for (const world::Team team : world::both_teams) {
+      if (!teams[team]->owes_answer()) continue;
+      owing[count] = teams[team];
+      sockets[count++] = {teams[team]->socket(), POLLIN, 0};
+    }
+    if (count == 0 || ::poll(sockets.data(), count, static_cast<int>(Channel::slice.count())) <= 0) return;
+    now = Budget::Clock::now();
+    for (nfds_t i = 0; i < count; ++i) {
+      if (sockets[i].revents != 0) owing[i]->note_answer(now);
+    }
   }
 }
 

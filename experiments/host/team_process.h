@@ -8,7 +8,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "experiments/host/budget.h"
 #include "experiments/host/channel.h"
 #include "experiments/host/listener.h"
 #include "experiments/host/messages.h"
@@ -65,7 +67,24 @@ class TeamProcess {
   /// From now on it has so long for what it is waited for; see Patience.
   void allow(std::chrono::milliseconds span, Patience::Clock::time_point now) { patience_.begin(span, now); }
   /// To be called by `while_waiting`, for both teams: whoever is waited for, the time of both goes on.
+  /// OverLimit when the team has used more of its own time than `begin_budget` said.
   void count_time(Patience::Clock::time_point now);
+
+  /// From now on it has so much time for a simulated second and for the game; see Budget.
+  void begin_budget(Budget::Allowed allowed, Budget::Clock::time_point now);
+  /// It is about to be sent the tick it is then waited for.
+  void begin_tick(Budget::Clock::time_point now) { budget_.sent(now); }
+  /// The other team was waited for first, until `time`.
+  void wait_only_from(Budget::Clock::time_point time) { budget_.wait_only_from(time); }
+  void begin_second(std::int64_t number, Budget::Clock::time_point now) { budget_.begin_second(number, now); }
+  /// Its answer is seen to be there, though not read.
+  void note_answer(Budget::Clock::time_point now) { budget_.answered(now); }
+  bool owes_answer() const { return !fault_ && budget_.waiting(); }
+  int socket() const { return channel_->socket(); }  ///< while it owes an answer
+  Budget::Clock::time_point answered() const { return budget_.mark(); }
+  /// Counts what has passed since the last look, without judging it.
+  void settle_budget(Budget::Clock::time_point now);
+  double own_seconds() const { return budget_.own_seconds(); }  ///< of its time, in this game
 
   // These wait, within what was allowed; beyond it is a fault.
   // They throw MachineTooSlow when the team could not run, NobodysFault when its cell could not be made.
@@ -73,6 +92,8 @@ class TeamProcess {
   void accept(const Idle& while_waiting);
   /// Writes one frame.
   void send(std::string_view frame, const Idle& while_waiting);
+  /// Nonsense when it has sent something before it was asked: called before a tick is sent.
+  void check_nothing_is_ahead(std::int64_t tick);
   /// Waits for the next frame; false when there is none, which is a fault.
   bool receive(const Idle& while_waiting);
   /// The frame that came, as a message, valid until the next one; null when it is none, which is a fault.
@@ -111,6 +132,7 @@ class TeamProcess {
   void check_logs(std::int64_t output);
   void note_gone();  // it closed the channel or ended: why?
   bool waited_enough(record::Termination termination, const std::string& what);  // blames it when so
+  process::Activity activity(Budget::Clock::time_point now);
 
   world::Team team_;
   record::TeamConfig config_;
@@ -129,7 +151,14 @@ class TeamProcess {
   MessageParser parser_;
   std::optional<Fault> fault_;
   Patience patience_;
+  Budget budget_;
+  std::vector<pid_t> strays_;  // of its processes that left their parents
+  Budget::Clock::time_point strays_looked_for_{};
   process::Usage usage_;
 };
+
+/// Waits until both have answered, a slice at most, and notes when each did: where both are slow, the one
+/// that is read last must not be taken for as slow as the other.
+void see_who_answers(const world::PerTeam<TeamProcess*>& teams);
 
 }  // namespace host

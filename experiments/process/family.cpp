@@ -7,12 +7,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <chrono>
 #include <csignal>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -57,24 +59,53 @@ std::vector<pid_t> children_of(pid_t process) {
   return children;
 }
 
-/// Adds what the thread with that folder in /proc has done.
-void add_thread(const std::string& folder, Activity& sum) {
+/// What /proc says of a process or a thread, proc(5).
+struct Stat {
+  char state = 0;
+  double used = 0;      ///< [s] of processor time
+  double children = 0;  ///< [s] the same of children that were waited for
+};
+std::optional<Stat> read_stat(const std::string& folder) {
   std::ifstream stream(folder + "/stat");
   std::string text;
   std::getline(stream, text);
   const std::size_t name_end = text.rfind(')');  // the name may hold anything
-  if (name_end == std::string::npos) return;
+  if (name_end == std::string::npos) return std::nullopt;
   std::istringstream fields(text.substr(name_end + 1));
-  char state = 0;
-  fields >> state;
+  Stat stat;
+  fields >> stat.state;
   std::string skipped;
   for (int field = 4; field < 14; ++field) fields >> skipped;
-  double user = 0;  // [clock ticks], proc(5)
-  double system = 0;
-  fields >> user >> system;
-  if (!fields) return;
-  sum.processor_seconds += (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
-  sum.wants_machine = sum.wants_machine || state == 'R' || state == 'D';
+  std::array<double, 4> ticks{};  // user, system, and both of children
+  for (double& one : ticks) fields >> one;
+  if (!fields) return std::nullopt;
+  const auto a_second = static_cast<double>(::sysconf(_SC_CLK_TCK));
+  stat.used = (ticks[0] + ticks[1]) / a_second;
+  stat.children = (ticks[2] + ticks[3]) / a_second;
+  return stat;
+}
+
+/// Time of a thread on and waiting for a processor.
+struct Turns {
+  double on = 0;       ///< [s]
+  double waiting = 0;  ///< [s]
+};
+std::optional<Turns> read_turns(const std::string& folder) {
+  std::ifstream stream(folder + "/schedstat");
+  Turns turns;
+  if (!(stream >> turns.on >> turns.waiting)) return std::nullopt;
+  return Turns{1e-9 * turns.on, 1e-9 * turns.waiting};
+}
+
+void add_thread(const std::string& folder, Activity& sum) {
+  const std::optional<Stat> stat = read_stat(folder);
+  if (!stat) return;  // it has just ended
+  sum.wants_machine = sum.wants_machine || stat->state == 'R' || stat->state == 'D';
+  const std::optional<Turns> turns = read_turns(folder);
+  sum.delays_known = sum.delays_known && turns;
+  if (!turns) return;
+  sum.living_seconds += turns->on;
+  sum.delay_seconds += turns->waiting;
 }
 
 /// KILL through a pidfd, so that it reaches nobody who has got the number meanwhile.
@@ -141,6 +172,15 @@ std::size_t end_adopted(std::span<const pid_t> known) {
   return ended;
 }
 
+std::vector<pid_t> family_of(pid_t process) {
+  std::vector<pid_t> members = {process};
+  for (std::size_t i = 0; i < members.size() && i < most_members; ++i) {
+    const std::vector<pid_t> children = children_of(members[i]);
+    members.insert(members.end(), children.begin(), children.end());
+  }
+  return members;
+}
+
 std::int64_t resident_memory(pid_t process) {
   std::ifstream stream(folder_of(process) + "/statm");  // sizes in pages: whole, resident, ...
   std::int64_t whole = 0;
@@ -155,22 +195,23 @@ std::int64_t family_memory(pid_t process) {
   return sum;
 }
 
-Activity family_activity(pid_t process) {
+Activity activity_of(std::span<const pid_t> processes) {
   Activity sum;
-  for (const pid_t member : family_of(process)) {
-    const std::string tasks = folder_of(member) + "/task";
+  for (const pid_t process : processes) {
+    // Of the process, not the sum of its threads: those that have ended are in it.
+    const std::optional<Stat> stat = read_stat(folder_of(process));
+    if (stat) sum.processor_seconds += stat->used + stat->children;
+    const std::string tasks = folder_of(process) + "/task";
     for (const pid_t thread : numbers_in(tasks)) add_thread(tasks + "/" + std::to_string(thread), sum);
   }
   return sum;
 }
 
-std::vector<pid_t> family_of(pid_t process) {
-  std::vector<pid_t> members = {process};
-  for (std::size_t i = 0; i < members.size() && i < most_members; ++i) {
-    const std::vector<pid_t> children = children_of(members[i]);
-    members.insert(members.end(), children.begin(), children.end());
-  }
-  return members;
+Activity family_activity(pid_t process) { return activity_of(family_of(process)); }
+
+double own_delay() {
+  const std::optional<Turns> turns = read_turns("/proc/thread-self");
+  return turns ? turns->waiting : 0;
 }
 
 void signal_descendants(pid_t process, int signal) {

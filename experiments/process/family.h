@@ -48,12 +48,20 @@ bool belongs_to(pid_t process, pid_t leader);
 /// Whether it was started with an environment in which a line "NAME=VALUE" begins with `entry`.
 bool was_started_with(pid_t process, const std::string& entry);
 
-/// What a process and all its descendants are doing.
+/// What processes are doing, and have done so far.
 struct Activity {
-  double processor_seconds = 0;  ///< [s] used so far by all that live, in steps of 0.01 s
+  double processor_seconds = 0;  ///< [s] used, also by threads and children that have ended, to 0.01 s
+  double living_seconds = 0;     ///< [s] of that by the threads that live, to the nanosecond
+  double delay_seconds = 0;      ///< [s] for which these wanted a processor and had none
+  bool delays_known = true;      ///< the kernel counts the last two (CONFIG_SCHED_INFO, as usual)
   bool wants_machine = false;    ///< a thread of them runs, or would if it had a processor or its disk
 };
+Activity activity_of(std::span<const pid_t> processes);
+/// The same of a process and its descendants.
 Activity family_activity(pid_t process);
+
+/// For how long this thread wanted a processor and had none [s]; 0 where the kernel does not count it.
+double own_delay();
 
 /// Living processes, never this one, that were started with an environment in which a line "NAME=VALUE"
 /// begins with `entry`. Whoever starts a program passes such a line on unless it takes it out on purpose.

@@ -25,7 +25,7 @@ enum class Termination : std::uint8_t {
   Overlong,       ///< over 40 simulated minutes: the referee is stuck (harness)
   Interrupted,    ///< stopped by the user (harness)
   HarnessFault,   ///< anything else that no team did
-  OverLimit,      ///< it used more memory, or printed more, than a team may
+  OverLimit,      ///< it used more memory or time, or printed more, than a team may
   Implausible     ///< over, but no game: a team never moved, robots were missing, or nothing was in play
                   ///< (harness)
 };

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/runner/pace.h"
+
 namespace runner {
 namespace {
 
@@ -22,12 +24,16 @@ std::vector<PreflightGame> preflight_games(const schedule::Design& design) {
     const schedule::Condition& condition = design.conditions[i];
     const std::pair<Program, Program> pairing{{condition.a.command, condition.a.directory},
                                               {condition.b.command, condition.b.directory}};
-    if (std::find(seen.begin(), seen.end(), pairing) != seen.end()) continue;
+    const int count = 2 * design.pairs;
+    if (const auto known = std::find(seen.begin(), seen.end(), pairing); known != seen.end()) {
+      games[static_cast<std::size_t>(known - seen.begin())].games += count;
+      continue;
+    }
     seen.push_back(pairing);
     Job job{schedule::game(design, 2 * i), 1};
     job.game.config.half_length = std::min(half_length, job.game.config.half_length.value_or(half_length));
     job.game.config.winner = false;
-    games.push_back({std::move(job)});
+    games.push_back({.job = std::move(job), .games = count});
   }
   return games;
 }
@@ -60,13 +66,17 @@ std::optional<int> play_preflight(std::vector<PreflightGame>& games, Crew& crew,
   return std::nullopt;
 }
 
-PreflightFinding judged(const PreflightGame& game) {
+PreflightFinding judged(const PreflightGame& game, const schedule::Design& design) {
   const record::GameKey& key = game.job.game.key;
   const std::string who = "condition '" + key.condition + "'";
   for (const record::MatchRecord& record : game.records) {
     if (record.at_fault == record::Party::Nobody && record.termination == record::Termination::Finished)
       continue;
     return {true, who + ": " + (record.reason.empty() ? record::name(record.termination) : record.reason)};
+  }
+  const Pace pace = pace_of(game.job.game.config, game.records, game.games);
+  if (const std::string problem = budget_problem(design, pace); !problem.empty()) {
+    return {true, who + ": " + problem};
   }
   const bool same = std::all_of(game.records.begin(), game.records.end(),
                                 [&](const auto& record) { return record.hash == game.records.front().hash; });

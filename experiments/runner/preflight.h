@@ -16,6 +16,7 @@ namespace runner {
 struct PreflightGame {
   Job job;
   std::vector<record::MatchRecord> records{};  ///< of the times it was played
+  int games = 0;                               ///< of the design that these two play
 };
 
 /// One short game for every two programs that meet in the design.
@@ -34,6 +35,6 @@ struct PreflightFinding {
   bool failed = false;   ///< the night must not begin
   std::string sentence;  ///< what is wrong, or worth knowing; empty: nothing
 };
-PreflightFinding judged(const PreflightGame& game);
+PreflightFinding judged(const PreflightGame& game, const schedule::Design& design);
 
 }  // namespace runner

@@ -18,6 +18,7 @@
 #include "experiments/runner/evidence.h"
 #include "experiments/runner/ledger_opening.h"
 #include "experiments/runner/leftovers.h"
+#include "experiments/runner/pace.h"
 #include "experiments/runner/plan.h"
 #include "experiments/runner/preflight.h"
 #include "experiments/runner/program_files.h"
@@ -271,8 +272,10 @@ class Run {
       result.signal = *signal;
       return false;
     }
+    std::vector<Pace> paces;
     for (const PreflightGame& game : games) {
-      const PreflightFinding finding = judged(game);
+      paces.push_back(pace_of(game.job.game.config, game.records, game.games));
+      const PreflightFinding finding = judged(game, design_);
       if (finding.failed) {
         result.ending = Ending::PreflightFailed;
         status_.reason = "a short game before the first one failed: " + finding.sentence;
@@ -280,6 +283,9 @@ class Run {
         return false;
       }
       if (!finding.sentence.empty()) progress_.say(finding.sentence);
+    }
+    if (const std::string slow = slowest_team(design_, paces, crew_.places()); !slow.empty()) {
+      progress_.say(slow);
     }
     process::remove_tree(folder_.preflight());
     return true;

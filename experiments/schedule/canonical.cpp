@@ -40,9 +40,14 @@ std::string canonical(const Design& design) {
   text += ",\"realism\":" + record::to_json(design.realism);
   text += ",\"forfeit_goals\":" + std::to_string(design.forfeit_goals);
   if (design.stopping.rule != StopRule::Fixed) text += ",\"stopping\":" + stopping_text(design.stopping);
-  // The one limit that decides games: a team above it is at fault.
+  // The limits that decide games: a team above them is at fault.
   if (design.limits.team_memory != Limits{}.team_memory) {
     text += ",\"team_memory\":" + std::to_string(design.limits.team_memory);
+  }
+  const TeamTime& time = design.limits.team_time;
+  if (time != usual_team_time(design.limits.silence, design.limits.game)) {
+    text += ",\"team_time\":[" + record::number(time.reply) + "," + record::number(time.second) + "," +
+            record::number(time.game) + "]";
   }
   text += ",\"conditions\":[";
   for (const Condition& condition : design.conditions) {

@@ -4,13 +4,32 @@
 
 namespace schedule {
 
+/// How much of its own time a team may take [s]: computing, or asleep while the game waits for it.
+struct TeamTime {
+  double reply = 5;    ///< for one reply
+  double second = 20;  ///< for the replies of a simulated second
+  double game = 1440;  ///< for those of a game
+  bool operator==(const TeamTime&) const = default;
+};
+
+/// What is used of it where a design says nothing. Ours: a third of `silence` for a second and two fifths of
+/// `game` for a game, at most what stands above: both teams together are then told from a game that is stuck.
+constexpr TeamTime usual_team_time(double silence, double game) {
+  TeamTime time;
+  if (time.second > silence / 3) time.second = silence / 3;
+  if (time.game > 0.4 * game) time.game = 0.4 * game;
+  if (time.reply > time.second) time.reply = time.second;
+  return time;
+}
+
 /// What a run may use and how much may go wrong, as the design's [limits] says. None of it is part of a
-/// game's result, except that a team above `team_memory` is at fault.
+/// game's result, except that a team above `team_memory` or `team_time` is at fault.
 struct Limits {
   // Wall time [s].
   double silence = 60;  ///< of a game without simulated time going on, then it is stuck
   double game = 3600;   ///< of a whole game; usual are 6 to 30 s
   double build = 3600;  ///< of the build command of a team from git
+  TeamTime team_time;   ///< keys team_reply, team_second and team_game
   // Sizes [MiB].
   std::int64_t team_memory = 2048;  ///< resident, of all processes of one team
   std::int64_t output = 4;          ///< kept of what one program of one game prints

@@ -1,5 +1,8 @@
 #include "experiments/schedule/run_reader.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -130,6 +133,37 @@ Stopping read_stopping(TomlTable& root, int pairs) {
   return stopping;
 }
 
+namespace {
+
+/// "60 s"
+std::string text(double seconds) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g s", seconds);
+  return text.data();
+}
+
+/// Whoever is above what follows is at fault before a watchdog, which blames nobody, ends the game.
+void read_team_time(TomlTable& table, double longest, Limits& limits) {
+  TeamTime& time = limits.team_time = usual_team_time(limits.silence, limits.game);
+  const auto check = [&](const char* key, double value, const char* watchdog, double after) {
+    if (2 * value < after) return;
+    table.reject(key, "two teams may then take " + text(2 * value) + ", and after " + text(after) + " (" +
+                          watchdog + ") the game is void: must be below half of it");
+  };
+  read_number(table, "team_second", Range::Positive, longest, time.second);
+  check("team_second", time.second, "silence", limits.silence);
+  read_number(table, "team_game", Range::Positive, longest, time.game);
+  check("team_game", time.game, "game", limits.game);
+  time.reply = std::min(time.reply, time.second);
+  read_number(table, "team_reply", Range::Positive, longest, time.reply);
+  if (time.reply > time.second) {
+    table.reject("team_reply", "is more than the " + text(time.second) +
+                                   " allowed for a whole simulated second (team_second)");
+  }
+}
+
+}  // namespace
+
 Limits read_limits(TomlTable& root) {
   Limits limits;
   auto table = root.table("limits");
@@ -138,6 +172,7 @@ Limits read_limits(TomlTable& root) {
   constexpr std::int64_t largest = 1 << 24;  // [MiB] 16 TiB
   read_number(*table, "silence", Range::Positive, longest, limits.silence);
   read_number(*table, "game", Range::Positive, longest, limits.game);
+  read_team_time(*table, longest, limits);
   read_number(*table, "build", Range::Positive, longest, limits.build);
   read_integer(*table, "team_memory", 1, largest, limits.team_memory);
   read_integer(*table, "output", 0, largest, limits.output);

@@ -8,9 +8,9 @@ namespace {
 
 constexpr int max_header_size = 5;  // [bytes] a 32-bit varint, as protobuf's own delimited readers accept
 
-FrameError too_long(std::uint64_t size) {
+FrameError too_long(std::uint64_t size, std::size_t longest) {
   return FrameError("frame of " + std::to_string(size) + " bytes is longer than the " +
-                    std::to_string(max_frame_size) + " allowed");
+                    std::to_string(longest) + " allowed");
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ std::optional<std::span<const std::byte>> FrameReader::next() {
     size |= (byte & 0x7F) << (7 * count);
     if (byte < 0x80) break;
   }
-  if (size > max_frame_size) throw too_long(size);
+  if (size > longest_) throw too_long(size, longest_);
   if (buffer_.size() - position < size) return std::nullopt;
   begin_ = position + size;
   return std::span<const std::byte>(buffer_).subspan(position, size);
@@ -53,7 +53,7 @@ void append_frame_header(std::string& out, std::size_t payload_size) {
 
 void append_frame(std::string& out, const google::protobuf::MessageLite& message) {
   const std::size_t size = message.ByteSizeLong();
-  if (size > max_frame_size) throw too_long(size);
+  if (size > max_frame_size) throw too_long(size, max_frame_size);
   append_frame_header(out, size);
   message.AppendPartialToString(&out);
 }

@@ -13,7 +13,7 @@ int run(int argc, char** argv, Info info, const MakeTeam& make_team) {
   Session::Options options{info.name, info.version, {}, false};
   int keeper = -1;
   info.flags.add("keeper", keeper, -1, 15, "number of the goalkeeper; -1 leaves the choice to the team");
-  info.flags.add("notes", options.notes, "send what each robot is doing to the game's log");
+  info.flags.add("notes", options.notes, "add what each robot is doing to every reply, for whoever looks on");
   bool timing = false;
   info.flags.add("timing", timing, "say at the end how much processor time the ticks took");
   if (const auto code = info.flags.parse(argc, argv, info.name, info.description)) return *code;

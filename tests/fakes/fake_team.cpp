@@ -5,14 +5,17 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -20,6 +23,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "sim/wire/delimited.h"
@@ -28,7 +32,7 @@
 
 namespace {
 
-constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK]
+constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK] [--milliseconds N]
 
   good          stands still
   wander        drives its robots in circles given by the seed
@@ -70,11 +74,26 @@ constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK]
   mess          leaves links, a pipe, a file with holes and folders without rights in its log folder
   trespass      tries at TICK to reach what is not its own, and prints what it could (trespass.h)
   gigabytes     prints 64 MiB to standard output every tick
+  late          sleeps N ms before each answer from TICK on
+  think         computes N ms before each answer from TICK on
+  busy-late     the same as late, and computes in a thread all the time
+  burner        answers at once and computes in a process of its own all the time
+  stray-burner  the same, in a session of its own, without parents
+  notes         sends the longest note that is allowed, and as many unknown bytes, with every answer
+  long-note     sends a note of 2000 bytes with its answer to TICK
+  commands      answers TICK with 1000 empty robot commands
+  megabyte      answers TICK with a mebibyte of empty robot commands
+  long-name     has a name of 101 bytes
+  megabyte-name has a name of a mebibyte
+  escape-name   has a name with an escape sequence
+  ahead         is one answer ahead from TICK on
+  megabytes     sends a mebibyte of answers to TICK before it reads on
 )";
 
 struct Arguments {
   std::string mode = "good";
   std::int64_t at = 5;
+  std::chrono::milliseconds span{50};
 };
 
 Arguments parse(int count, char** values) {
@@ -85,6 +104,8 @@ Arguments parse(int count, char** values) {
       arguments.mode = values[i + 1];
     } else if (flag == "--at") {
       arguments.at = std::stoll(values[i + 1]);
+    } else if (flag == "--milliseconds") {
+      arguments.span = std::chrono::milliseconds{std::stoi(values[i + 1])};
     } else {
       throw std::invalid_argument("unknown flag " + std::string(flag));
     }
@@ -134,6 +155,34 @@ void litter(const std::string& folder) {
     const int next = ::openat(at, "deeper", O_RDONLY | O_DIRECTORY);
     ::close(at);
     at = next;
+  }
+}
+
+[[noreturn]] void burn() {
+  ::alarm(120);  // for a test that fails
+  while (true) std::clock();
+}
+
+/// Computes for so long, of its own processor time.
+void think(std::chrono::milliseconds span) {
+  const auto used = [] { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+  const double end = used() + static_cast<double>(span.count());
+  while (used() < end) {
+  }
+}
+
+/// Starts what `burner`, `stray-burner` and `busy-late` have beside them.
+void start_burning(const std::string& mode) {
+  if (mode == "busy-late") std::thread(burn).detach();
+  if (mode == "burner" && ::fork() == 0) burn();
+  if (mode == "stray-burner") {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::setsid();
+      if (::fork() != 0) ::_exit(0);
+      burn();
+    }
+    ::waitpid(child, nullptr, 0);
   }
 }
 
@@ -253,6 +302,23 @@ void misbehave(const Arguments& arguments, const Connection& host, wire::proto::
   if (mode == "trespass" && message.reply().tick() == arguments.at) {
     fakes::Trespass().try_all(std::filesystem::read_symlink("/proc/self/exe"));
   }
+  if (mode == "late" || mode == "busy-late") std::this_thread::sleep_for(arguments.span);
+  if (mode == "think") think(arguments.span);
+  const auto add_commands = [&](int count) {
+    for (int i = 0; i < count; ++i) message.mutable_reply()->mutable_control()->add_robot_commands();
+  };
+  if (mode == "commands") add_commands(1000);
+  if (mode == "megabyte") add_commands(500'000);
+  if (mode == "long-note") message.mutable_reply()->set_note(std::string(2000, 'x'));
+  if (mode == "ahead") {
+    if (message.reply().tick() == arguments.at) host.send(message);
+    message.mutable_reply()->set_tick(message.reply().tick() + 1);
+  }
+  if (mode == "megabytes") {
+    std::string frame;
+    while (frame.size() < std::size_t{1} << 20) wire::append_frame(frame, message);
+    host.send(frame);
+  }
   if (mode == "memory") eat();
   if (mode == "burst") {
     while (true) eat();
@@ -296,6 +362,7 @@ int play(const Arguments& arguments) {
     ::setsid();
     if (::fork() != 0) ::_exit(0);
   }
+  start_burning(mode);
   if (mode == "linger") ::signal(SIGTERM, SIG_IGN);
 
   Connection host;
@@ -308,6 +375,9 @@ int play(const Arguments& arguments) {
   to_host.mutable_hello()->set_protocol_version(mode == "old-version" ? 0 : wire::match_protocol_version);
   to_host.mutable_hello()->set_name("fake-team");
   to_host.mutable_hello()->set_version(mode);
+  if (mode == "long-name") to_host.mutable_hello()->set_name(std::string(101, 'x'));
+  if (mode == "megabyte-name") to_host.mutable_hello()->set_name(std::string((1U << 20) - 100, 'x'));
+  if (mode == "escape-name") to_host.mutable_hello()->set_name("\x1b[2J");
   if (mode == "bad-keeper") to_host.mutable_hello()->set_keeper(15);
   host.send(to_host);
 
@@ -333,6 +403,11 @@ int play(const Arguments& arguments) {
     }
     if (mode == "litters") litter(hello.log_directory());
     if (mode == "mess" && tick == 1) leave_mess(hello.log_directory());
+    if (mode == "notes") {
+      drive_in_circles(hello, control);
+      to_host.mutable_reply()->set_note(std::string(1024, 'x'));
+      control.GetReflection()->MutableUnknownFields(&control)->AddLengthDelimited(99, std::string(1024, 'x'));
+    }
     if (mode == "slow") ::usleep(1000);
     if (mode == "chatter") std::cout << std::string(20'000, '.') << std::flush;
     if (tick >= arguments.at) misbehave(arguments, host, to_host);

@@ -13,6 +13,13 @@ inline std::vector<std::string> fake_team(const std::string& mode, int at_tick =
   return {fakes::bin_dir() + "/fake-team", "--mode", mode, "--at", std::to_string(at_tick)};
 }
 
+/// The same for the modes that take time for each answer.
+inline std::vector<std::string> slow_team(const std::string& mode, int milliseconds, int at_tick = 1) {
+  std::vector<std::string> command = fake_team(mode, at_tick);
+  command.insert(command.end(), {"--milliseconds", std::to_string(milliseconds)});
+  return command;
+}
+
 /// A short game between two scripted teams: two halves of 10 s.
 inline record::MatchConfig short_game(const std::string& yellow_mode, const std::string& blue_mode) {
   record::MatchConfig config;

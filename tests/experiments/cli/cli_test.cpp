@@ -203,6 +203,36 @@ TEST_F(MatchdayProgram, EndsBeforeTheFirstGameWhenTheTeamsCannotPlay) {
   EXPECT_THAT(matchday("report results/small").text, HasSubstr("no game counts yet"));
 }
 
+// 0.54 s for a simulated second, each reply far below what it may take.
+TEST_F(MatchdayProgram, ASlowTeamForfeitsItsGamesWithTheNumberAndTheNightGoesOn) {
+  const std::string fake = fakes::bin_dir() + "/fake-team --mode ";
+  const std::string slow = fake + "late --milliseconds 9";
+  std::ofstream(folder_ / "slow.toml") << "name = \"slow\"\npairs = 2\n[rules]\nhalf_length = 2.0\n"
+                                       << "[limits]\nteam_second = 0.25\nteam_reply = 0.2\n"
+                                       << "[teams.a]\ncommand = \"" + fake + "wander\"\n"
+                                       << "[teams.b]\nname = \"snail\"\ncommand = \"" + slow + "\"\n";
+  const auto number = AllOf(HasSubstr("(snail) used "), HasSubstr(", 0.25 s are allowed"));
+  const Said run = matchday("run slow.toml --no-preflight");
+  EXPECT_EQ(run.code, 0) << run.text;
+  EXPECT_THAT(run.text, AllOf(HasSubstr("4 of 4 games"), number));
+
+  const Said first = matchday("run slow.toml --out other");
+  EXPECT_EQ(first.code, 3);
+  EXPECT_THAT(first.text, AllOf(HasSubstr("a short game before the first one failed"), number));
+  fs::remove_all(folder_ / "results");
+  const Said plan = matchday("plan slow.toml");
+  EXPECT_EQ(plan.code, 2);
+  EXPECT_THAT(plan.text,
+              AllOf(HasSubstr("the short game that measures the pace ended by a fault: "), number));
+  const Said play = matchday("play --blue '" + slow + "' --yellow '" + fake + "wander' --team-second 0.25");
+  EXPECT_EQ(play.code, 4);
+  EXPECT_THAT(play.text, HasSubstr(" s of its own time for simulated second "));
+  for (const char* command : {"run", "plan"}) {
+    EXPECT_THAT(matchday(std::string(command) + " --help").text,
+                AllOf(HasSubstr("team_reply"), HasSubstr("team_second"), HasSubstr("team_game")));
+  }
+}
+
 TEST_F(MatchdayProgram, ReplaysAFaultyGameFromItsRepliesWithoutTheTeams) {
   std::ofstream(folder_ / "real.toml")
       << "name = \"real\"\npairs = 1\n[rules]\nhalf_length = 5.0\n"

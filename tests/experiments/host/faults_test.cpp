@@ -21,6 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 using record::Party;
 using record::Termination;
+using testing::AnyOf;
 using testing::HasSubstr;
 
 // Living processes that got this variable from us; /proc shows what a process started with, so never
@@ -160,11 +161,61 @@ TEST_F(Faults, SendsBytesThatAreNoMessage) {
 }
 
 TEST_F(Faults, SendsAHugeMessage) {
-  expect_blue(play_against("huge"), Termination::Nonsense, "sent nonsense: ");
+  expect_blue(play_against("huge"), Termination::Nonsense,
+              "sent nonsense: frame of 2097152 bytes is longer than the 4096 allowed");
 }
 
+// Refused by its meaning where it is shorter than a frame may be, by the frame's length otherwise.
+TEST_F(Faults, SendsMoreThanAReplyCanMean) {
+  expect_blue(play_against("commands"), Termination::Nonsense,
+              "sent 1000 robot commands in one reply, 16 are allowed");
+  expect_blue(play_against("megabyte"), Termination::Nonsense,
+              "sent nonsense: frame of 1000010 bytes is longer than the 4096 allowed");
+  expect_blue(play_against("long-note"), Termination::Nonsense,
+              "sent a note of 2000 bytes, 1024 are allowed");
+}
+
+TEST_F(Faults, HasANameThatNoTableCanHold) {
+  expect_blue(play_against("long-name"), Termination::Nonsense, "gives a name of 101 bytes, 100 are allowed");
+  expect_blue(play_against("megabyte-name"), Termination::Nonsense,
+              "sent nonsense: frame of 1048501 bytes is longer than the 4096 allowed");
+  expect_blue(play_against("escape-name"), Termination::Nonsense, "gives a name with control characters");
+}
+
+// Which of both is seen first is a matter of when the system gave the host its turn.
 TEST_F(Faults, FloodsTheChannel) {
-  expect_blue(play_against("flood"), Termination::Nonsense, "answered tick 5 when tick 6 was sent");
+  for (const std::string mode : {"flood", "megabytes"}) {
+    const auto record = play_against(mode);
+    EXPECT_EQ(record.termination, Termination::Nonsense);
+    EXPECT_EQ(record.at_fault, Party::Blue);
+    EXPECT_THAT(record.reason, AnyOf(HasSubstr("answered tick 5 when tick 6 was sent"),
+                                     HasSubstr("sent more than one answer")));
+  }
+}
+
+// Each answer has the right number, and is there before the tick: seen in the first whole second at the
+// latest.
+TEST_F(Faults, AnswersTicksThatItHasNotSeen) {
+  const auto record = play_against("ahead");
+  expect_blue(record, Termination::Nonsense, "");
+  EXPECT_LE(record.ticks, 60);
+}
+
+TEST_F(Faults, NotesAndUnknownFieldsAreNotRecorded) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("faults_notes_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  auto config = fakes::short_game("wander", "notes");
+  config.recording = folder / "game.replies";
+  const auto record = play(config, options_);
+  EXPECT_EQ(record.termination, Termination::Finished) << record.reason;
+  // Six commands of a few speeds for each team, without the 2 KiB beside them.
+  EXPECT_LT(std::filesystem::file_size(*config.recording), static_cast<std::uintmax_t>(record.ticks) * 600);
+  auto again = config;
+  again.recording.reset();
+  again.continuation = record::Continuation{folder / "game.replies", std::nullopt};
+  EXPECT_EQ(play(again, options_).hash, record.hash);
+  std::filesystem::remove_all(folder);
 }
 
 TEST_F(Faults, AnswersATickFarAhead) {
@@ -173,9 +224,12 @@ TEST_F(Faults, AnswersATickFarAhead) {
 }
 
 TEST_F(Faults, AnswersTheNextTickBeforeItWasSent) {
-  // The host asks about one tick at a time and reads one answer: the early one is taken for the next tick's,
-  // the next tick's own one is then old.
-  expect_blue(play_against("two-answers"), Termination::Nonsense, "answered tick 6 when tick 7 was sent");
+  // Seen at once when both come together; else the early one is taken for the next tick's, and the next
+  // tick's own one is then old.
+  const auto record = play_against("two-answers");
+  expect_blue(record, Termination::Nonsense, "");
+  EXPECT_THAT(record.reason, AnyOf(HasSubstr("answered tick 6 when tick 7 was sent"),
+                                   HasSubstr("sent more than one answer: ")));
 }
 
 TEST_F(Faults, AnswersWithAnEmptyMessage) {

@@ -21,7 +21,7 @@ class PatienceTest : public testing::Test {
       processor_ += 0.01 * share;
       patience_.count(now_, [&] {
         ++looks_;
-        return process::Activity{processor_, wants};
+        return process::Activity{.processor_seconds = processor_, .wants_machine = wants};
       });
     }
   }

@@ -64,6 +64,31 @@ TEST_F(Family, SeesWhoSleepsAndWhoWantsAProcessor) {
   EXPECT_FALSE(family_activity(worker.pid()).wants_machine) << "there is no such process any more";
 }
 
+// What a child has used that has ended is its parent's: some 0.3 s for the loop.
+TEST_F(Family, CountsTheProcessorTimeOfChildrenThatHaveEnded) {
+  Child parent = shell("sh -c 'i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done'; exec sleep 1000", mark_);
+  EXPECT_TRUE(soon([&] {
+    const Activity all = activity_of(family_of(parent.pid()));
+    return all.processor_seconds - all.living_seconds > 0.05;
+  }));
+  parent.stop(0ms);
+}
+
+TEST_F(Family, KnowsHowLongSomebodyWaitedForAProcessor) {
+  // Three that want the same one: each waits two thirds of the time.
+  Child three = shell(
+      "taskset -c $(taskset -cp $$ | sed 's/.*[^0-9]//') "
+      "sh -c 'for i in 1 2 3; do (while :; do :; done) & done; wait'",
+      mark_);
+  ASSERT_TRUE(soon([&] { return family_activity(three.pid()).living_seconds > 0.3; }));
+  const Activity all = family_activity(three.pid());
+  EXPECT_TRUE(all.delays_known);
+  EXPECT_GT(all.delay_seconds, all.living_seconds) << "twice it, but for the last turns";
+  EXPECT_NEAR(all.living_seconds, all.processor_seconds, 0.2)
+      << "steps of 0.01 s of user and system time each";
+  three.stop(0ms);
+}
+
 TEST_F(Family, EndsOnlyThoseThatAreMeant) {
   Child meant = shell("exec sleep 1000", mark_ + "1/");
   Child other = shell("exec sleep 1000", mark_ + "11/");

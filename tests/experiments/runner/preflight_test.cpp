@@ -34,20 +34,44 @@ TEST(Preflight, IsShortAndNeedsNoWinner) {
 }
 
 TEST(Preflight, JudgesTheRecords) {
-  PreflightGame game = preflight_games(small_design(1))[0];
+  const schedule::Design design = small_design(1);
+  PreflightGame game = preflight_games(design)[0];
   game.records = {finished("abc"), finished("abc")};
-  EXPECT_FALSE(judged(game).failed);
-  EXPECT_EQ(judged(game).sentence, "");
+  EXPECT_FALSE(judged(game, design).failed);
+  EXPECT_EQ(judged(game, design).sentence, "");
 
   game.records[1].hash = "def";
-  EXPECT_FALSE(judged(game).failed) << "a team that is not deterministic may play";
-  EXPECT_THAT(judged(game).sentence, HasSubstr("not deterministic"));
+  EXPECT_FALSE(judged(game, design).failed) << "a team that is not deterministic may play";
+  EXPECT_THAT(judged(game, design).sentence, HasSubstr("not deterministic"));
 
   game.records[1].termination = record::Termination::Implausible;
   game.records[1].at_fault = record::Party::Harness;
   game.records[1].reason = "this was no game: yellow never told a robot to move";
-  EXPECT_TRUE(judged(game).failed);
-  EXPECT_THAT(judged(game).sentence, HasSubstr("yellow never told"));
+  EXPECT_TRUE(judged(game, design).failed);
+  EXPECT_THAT(judged(game, design).sentence, HasSubstr("yellow never told"));
+}
+
+TEST(Preflight, CountsTheGamesOfEveryTwoPrograms) {
+  schedule::Design design = small_design(3);
+  EXPECT_EQ(preflight_games(design)[0].games, 12);
+  design.conditions[1].b.command = {"true", "--fast"};
+  EXPECT_EQ(preflight_games(design)[0].games, 6);
+  EXPECT_EQ(preflight_games(design)[1].games, 6);
+}
+
+// 5400 ticks of 49 ms; a full game has 73,728.
+TEST(Preflight, ATeamThatWouldForfeitEveryGameFails) {
+  const schedule::Design design = small_design(1);
+  PreflightGame game = preflight_games(design)[0];
+  record::MatchRecord record = finished("abc");
+  record.ticks = 5400;
+  record.wall_seconds = 266;
+  record.costs["own_seconds_yellow"] = 264.6;
+  game.records = {record, record};
+  EXPECT_TRUE(judged(game, design).failed);
+  EXPECT_EQ(judged(game, design).sentence,
+            "condition 'equal': team 'theirs' takes 49 ms of its own time a tick, that is 3613 s for a full "
+            "game, and 1440 s are allowed (limits.team_game): it would lose every game by forfeit");
 }
 
 }  // namespace

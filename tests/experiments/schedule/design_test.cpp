@@ -217,6 +217,18 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{head + teams + "[stopping]\nrule = \"fixed\"\nalpha = 0.1\n", "unknown key stopping.alpha"},
         Mistake{head + teams + "[limits]\nteam_memory = 0\n",
                 "night.toml:10: limits.team_memory = 0: must be from 1 to"},
+        Mistake{head + teams + "[limits]\nteam_second = 30\n",
+                "night.toml:10: limits.team_second = 30: two teams may then take 60 s, and after 60 s "
+                "(silence) the "
+                "game is void: must be below half of it"},
+        Mistake{head + teams + "[limits]\nsilence = 30\nteam_second = 20\n",
+                "and after 30 s (silence) the game"},
+        Mistake{head + teams + "[limits]\nteam_game = 1800\n",
+                "two teams may then take 3600 s, and after 3600 s (game) the game is void"},
+        Mistake{
+            head + teams + "[limits]\nteam_second = 3\nteam_reply = 4\n",
+            "limits.team_reply = 4: is more than the 3 s allowed for a whole simulated second (team_second)"},
+        Mistake{head + teams + "[limits]\nteam_reply = 0\n", "limits.team_reply = 0: must be above 0"},
         Mistake{head + teams + "[limits]\nsampled = 2\n", "limits.sampled = 2: must be from 0 to 1"},
         Mistake{head + teams + "[limits]\nsilense = 2\n", "did you mean silence?"},
         Mistake{head + teams + "[[conditions]]\n", "conditions.name is missing"},
@@ -383,6 +395,8 @@ TEST(Design, ReadsStoppingAndLimits) {
   EXPECT_EQ(limits.team_memory, 100);
   EXPECT_EQ(limits.silence, 5);
   EXPECT_EQ(limits.game, Limits{}.game);
+  EXPECT_EQ(parse_design(head + teams, "n").limits.team_time, TeamTime{});
+  EXPECT_EQ(limits.team_time, (TeamTime{5.0 / 3, 5.0 / 3, 1440})) << "two teams fit into the silence";
 }
 
 TEST(CanonicalDesign, KnowsATeamFromGitByItsCommitNotByWhereItIs) {
@@ -407,6 +421,9 @@ TEST(CanonicalDesign, HasTheStoppingRuleButNoLimitThatDecidesNoGame) {
   EXPECT_EQ(canonical(parse_design(two + teams + "[limits]\nsilence = 5\n", "n")), base);
   EXPECT_NE(canonical(parse_design(two + teams + "[limits]\nteam_memory = 5\n", "n")), base);
   EXPECT_EQ(canonical(parse_design(two + teams + "[stopping]\nrule = \"fixed\"\n", "n")), base);
+  for (const std::string key : {"team_reply = 1", "team_second = 10", "team_game = 100"}) {
+    EXPECT_NE(canonical(parse_design(two + teams + "[limits]\n" + key + "\n", "n")), base) << key;
+  }
   const std::string rule = "[stopping]\nrule = \"sequential\"\n";
   const std::string sequential = canonical(parse_design(two + teams + rule, "n"));
   EXPECT_NE(sequential, base);

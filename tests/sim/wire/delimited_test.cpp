@@ -98,6 +98,20 @@ TEST(FrameReader, KeepsNoMoreThanAFrameAndAPiece) {
   EXPECT_EQ(all_frames(reader).size(), 1U);
 }
 
+TEST(FrameReader, AcceptsNoMoreThanItWasTold) {
+  wire::FrameReader reader(100);
+  std::string header;
+  wire::append_frame_header(header, 101);
+  reader.append(bytes(frame(std::string(100, 'x')) + header));
+  EXPECT_EQ(reader.next()->size(), 100U);
+  try {
+    reader.next();
+    ADD_FAILURE() << "before its payload has arrived";
+  } catch (const wire::FrameError& error) {
+    EXPECT_STREQ(error.what(), "frame of 101 bytes is longer than the 100 allowed");
+  }
+}
+
 TEST(FrameReader, RefusesALengthThatIsNoVarint) {
   wire::FrameReader reader;
   reader.append(bytes("\xff\xff\xff\xff"));
