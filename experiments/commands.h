@@ -128,6 +128,13 @@ struct ReplayOptions {
 /// One game of a ledger again, from its seed or its recorded replies, and whether it went the same.
 int replay(const ReplayOptions& options);
 
+struct VerifyOptions {
+  std::filesystem::path folder;
+  int sample = 3;  ///< games to be played again
+};
+/// Whether a result folder is what was written.
+int verify(const VerifyOptions& options);
+
 struct WorkerOptions {
   std::filesystem::path job;
   std::filesystem::path result;

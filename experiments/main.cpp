@@ -223,6 +223,15 @@ void add_replay(CLI::App& main, commands::ReplayOptions& options) {
                "from the teams' recorded replies instead of live teams; kept of faulty and sampled games");
 }
 
+void add_verify(CLI::App& main, commands::VerifyOptions& options) {
+  CLI::App& app = *main.add_subcommand(
+      "verify", "say whether the rows and files of a result folder are what was written, and by whom");
+  app.add_option("folder", options.folder, "result folder")->required();
+  app.add_option("--sample", options.sample, "games to be played again, to compare their hashes")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
+}
+
 void add_bench(CLI::App& main, bench::BenchOptions& options, commands::RealismOptions& realism,
                std::string& isolation) {
   CLI::App& app =
@@ -337,6 +346,7 @@ int matchday(int argc, char** argv) {
   commands::CompareOptions compare;
   commands::ReportOptions report;
   commands::ReplayOptions replay;
+  commands::VerifyOptions verify;
   commands::WorkerOptions worker;
   commands::JudgeOptions judge;
   commands::JudgeGameOptions judge_game;
@@ -351,6 +361,7 @@ int matchday(int argc, char** argv) {
   add_compare(app, compare);
   add_report(app, report);
   add_replay(app, replay);
+  add_verify(app, verify);
   add_bench(app, bench, bench_realism, bench_isolation);
   add_show_realism(app, realism);
   add_worker(app, worker);
@@ -378,6 +389,7 @@ int matchday(int argc, char** argv) {
   if (app.got_subcommand("plan")) return commands::plan(plan);
   if (app.got_subcommand("report")) return commands::report(report);
   if (app.got_subcommand("replay")) return commands::replay(replay);
+  if (app.got_subcommand("verify")) return commands::verify(verify);
   if (app.got_subcommand("worker")) return commands::worker(worker);
   if (app.got_subcommand("judge-game")) return commands::judge_game(judge_game);
   if (app.got_subcommand("judge")) {

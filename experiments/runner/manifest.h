@@ -27,4 +27,16 @@ struct Manifest {
 /// @throws record::StorageError when it cannot be written
 void write_manifest(const std::filesystem::path& file, const Manifest& manifest);
 
+/// What a manifest says of those who made the folder.
+struct Origin {
+  std::string experiment_hash;
+  std::string identity;  ///< the hash made again from its design, protocol and files
+  std::vector<ProgramFile> files;
+  std::string matchday;
+  std::string commit;
+};
+
+/// @throws record::StorageError when it cannot be read or is none
+Origin read_manifest(const std::filesystem::path& file);
+
 }  // namespace runner

@@ -482,6 +482,20 @@ TEST_F(MatchdayProgram, ARunRecordsTheIsolationAndHidesItsFolder) {
     EXPECT_THAT(seen, Not(HasSubstr(hidden)));
 }
 
+TEST_F(MatchdayProgram, VerifySaysWhetherAFolderIsWhatWasWritten) {
+  write_design("good.toml");
+  ASSERT_EQ(matchday("run good.toml --out r --no-preflight" + fake()).code, 0);
+  const Said good = matchday("verify r --sample 0");
+  EXPECT_EQ(good.code, 0) << good.text;
+  EXPECT_THAT(good.text, AllOf(HasSubstr("attempts      8 as written\n"), HasSubstr("fake_worker: same"),
+                               HasSubstr("all that is known is what was written")));
+  std::ofstream(folder_ / "r/manifest.json", std::ios::app) << "x";
+  const Said bad = matchday("verify r --sample 0");
+  EXPECT_EQ(bad.code, 5);
+  EXPECT_THAT(bad.text, AllOf(HasSubstr("manifest.json has"), HasSubstr("NOT what was written")));
+  EXPECT_EQ(matchday("verify nowhere").code, 5);
+}
+
 TEST_F(MatchdayProgram, PlayOfATeamThatDoesNotConnectIsAForfeitWithItsReason) {
   const Said said = matchday("play --blue true --yellow true --half-length 10");
   EXPECT_EQ(said.code, 4);

@@ -1,0 +1,59 @@
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "experiments/record/ledger.h"
+#include "experiments/runner/manifest.h"
+
+namespace runner {
+namespace {
+
+constexpr std::size_t longest = std::size_t{64} << 20;  // [bytes] ours: a design has at most 1 MiB
+
+/// The design as it was hashed: a line of its own.
+std::string design_line(const std::string& text) {
+  const std::string key = "\n  \"design\": ";
+  const std::size_t begin = text.find(key);
+  if (begin == std::string::npos) return {};
+  const std::size_t end = text.find('\n', begin + 1);
+  std::string line = text.substr(begin + key.size(), end - begin - key.size());
+  if (!line.empty() && line.back() == ',') line.pop_back();
+  return line;
+}
+
+}  // namespace
+
+Origin read_manifest(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(longest + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.empty() || text.size() > longest) throw record::StorageError(file.string() + ": cannot be read");
+  Origin origin;
+  std::string protocol;
+  try {
+    const auto json = nlohmann::json::parse(text, [](int depth, auto, auto&) {
+      if (depth > 64) throw std::invalid_argument("nested too deep");
+      return true;
+    });
+    json.at("experiment_hash").get_to(origin.experiment_hash);
+    json.at("matchday").get_to(origin.matchday);
+    json.at("commit").get_to(origin.commit);
+    json.at("protocol").get_to(protocol);
+    for (const auto& one : json.at("files")) {
+      origin.files.push_back({one.at("path").get<std::string>(), one.at("xxh3_128").get<std::string>()});
+    }
+  } catch (const std::exception& error) {
+    throw record::StorageError(file.string() + ": is damaged: " + error.what());
+  }
+  std::vector<std::string> hashes;
+  for (const ProgramFile& one : origin.files) hashes.push_back(one.hash);
+  std::sort(hashes.begin(), hashes.end());
+  std::string all = design_line(text) + "\n" + protocol + "\n";
+  for (const std::string& hash : hashes) all += hash + "\n";
+  origin.identity = hash_of(all);
+  return origin;
+}
+
+}  // namespace runner
