@@ -181,7 +181,7 @@ void encode_team(const world::TeamInfo& team, proto::Referee::TeamInfo& out) {
 }
 
 void decode_team(const proto::Referee::TeamInfo& team, world::TeamInfo& result) {
-  result.name = team.name().substr(0, longest_name);
+  result.name.assign(team.name(), 0, longest_name);
   result.score = to_int(team.score());
   result.red_cards = to_int(team.red_cards());
   result.yellow_card_times.clear();
@@ -259,7 +259,7 @@ bool decode(const proto::Referee& message, Epoch epoch, world::RefereeMessage& o
   if (message.has_current_action_time_remaining()) {
     out.action_time_left = from_us(message.current_action_time_remaining());
   }
-  out.status = message.status_message().substr(0, longest_status);
+  out.status.assign(message.status_message(), 0, longest_status);
   return true;
 }
 
