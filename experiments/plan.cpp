@@ -121,10 +121,16 @@ std::string other_games(const schedule::Design& earlier, const schedule::Design&
   return text;
 }
 
+/// A signal ended the measuring.
+struct Interrupted {
+  int signal = 0;
+};
+
 /// Short games of every two programs that meet in the design, here and now.
 ///
 /// @param remark  a team that is too slow is added to it
 /// @throws std::invalid_argument when a game cannot be played
+/// @throws Interrupted           when a signal ended one
 Speed calibrate(schedule::Design& design, const std::filesystem::path& folder, int workers,
                 std::string& remark) {
   using Clock = std::chrono::steady_clock;
@@ -146,7 +152,8 @@ Speed calibrate(schedule::Design& design, const std::filesystem::path& folder, i
     settings.visible = visible;
     settings.interrupted = [&] { return Clock::now() - now > longest_short_game; };
     const OneGame game = play_one_game(config, nullptr, false, settings);
-    const bool long_enough = game.record.termination == record::Termination::Interrupted && !game.signal;
+    if (game.signal) throw Interrupted{*game.signal};
+    const bool long_enough = game.record.termination == record::Termination::Interrupted;
     if (game.record.at_fault != record::Party::Nobody && !long_enough) {
       throw std::invalid_argument(
           "the short game that measures the pace ended by a fault: " + game.record.reason +
@@ -170,9 +177,7 @@ Speed calibrate(schedule::Design& design, const std::filesystem::path& folder, i
                       world::tick_length / tick)};
 }
 
-}  // namespace
-
-int plan(const PlanOptions& options) {
+int print_plan(const PlanOptions& options) {
   check_temporary_folder(Games::Here);
   schedule::Design design = checked_design(options.design);
   std::filesystem::path folder = options.from;
@@ -191,6 +196,16 @@ int plan(const PlanOptions& options) {
   if (!speed) speed = calibrate(design, usual_folder(design), workers, remark);
   std::cout << plan_text(design, speed, spread, workers) << remark;
   return done;
+}
+
+}  // namespace
+
+int plan(const PlanOptions& options) {
+  try {
+    return print_plan(options);
+  } catch (const Interrupted& interrupted) {
+    return signal_base + interrupted.signal;
+  }
 }
 
 }  // namespace commands

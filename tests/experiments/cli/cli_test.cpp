@@ -341,6 +341,17 @@ TEST_F(MatchdayProgram, PlanSaysWhyItCouldNotMeasure) {
   EXPECT_THAT(plan.text, HasSubstr("the short game that measures the pace ended by a fault: "));
 }
 
+// The teams never connect, so that the signal comes while the host waits for them.
+TEST_F(MatchdayProgram, PlanEndsBySignalAsEveryCommandDoes) {
+  const std::string silent = "command = \"" + fakes::bin_dir() + "/fake-team --mode never-connect\"\n";
+  std::ofstream(folder_ / "silent.toml") << "name = \"silent\"\npairs = 1\n[teams.a]\n"
+                                         << silent << "[teams.b]\n"
+                                         << silent;
+  const Said plan = shell("timeout --preserve-status -s INT 1 \"$BIN\"/matchday plan silent.toml");
+  EXPECT_EQ(plan.code, 130);
+  EXPECT_THAT(plan.text, Not(HasSubstr("mend that first")));
+}
+
 // The whole way of a limit: design, runner, worker, host, log. The team prints 1.2 MB a simulated second and
 // never moves, so its games are void and their files are kept.
 TEST_F(MatchdayProgram, KeepsOfATeamsOutputWhatTheDesignSays) {
