@@ -26,10 +26,11 @@ void replace_team(const std::string& command, const std::string& flag, record::T
 
 int continue_game(const ContinueOptions& options) {
   record::MatchConfig config = host::recorded_config(options.recording);
+  const std::int64_t ticks =
+      host::recorded_ticks(options.recording);  // all of it: damage is told before the game
   config.continuation = record::Continuation{options.recording, std::nullopt};
   if (options.from) {
     config.continuation->tick = std::llround(*options.from * world::ticks_per_second);
-    const std::int64_t ticks = host::recorded_ticks(options.recording);
     if (*config.continuation->tick > ticks) {
       throw std::invalid_argument(fmt::format("--from {:g}: the recording {} ends at {:.1f} s", *options.from,
                                               options.recording.string(),

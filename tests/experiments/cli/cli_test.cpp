@@ -341,6 +341,24 @@ TEST_F(MatchdayProgram, PlanSaysWhyItCouldNotMeasure) {
   EXPECT_THAT(plan.text, HasSubstr("the short game that measures the pace ended by a fault: "));
 }
 
+TEST_F(MatchdayProgram, RefusesADamagedRecordingBeforeItPlaysAnyOfIt) {
+  const std::string team = "\"$BIN/fake-team --mode wander\"";
+  const Said played =
+      matchday("play --half-length 1 --blue " + team + " --yellow " + team + " --record game.replies");
+  ASSERT_EQ(played.code, 0) << played.text;
+  {
+    std::fstream file(folder_ / "game.replies", std::ios::in | std::ios::out | std::ios::binary);
+    const auto middle = static_cast<std::streamoff>(fs::file_size(folder_ / "game.replies") / 2);
+    file.seekg(middle);
+    const int byte = file.get();
+    file.seekp(middle);
+    file.put(static_cast<char>(byte ^ 1));
+  }
+  const Said said = matchday("continue game.replies");
+  EXPECT_EQ(said.code, 2);
+  EXPECT_THAT(said.text, AllOf(HasSubstr("game.replies: record "), Not(HasSubstr("internal error"))));
+}
+
 // The teams never connect, so that the signal comes while the host waits for them.
 TEST_F(MatchdayProgram, PlanEndsBySignalAsEveryCommandDoes) {
   const std::string silent = "command = \"" + fakes::bin_dir() + "/fake-team --mode never-connect\"\n";
