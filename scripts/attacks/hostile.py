@@ -15,6 +15,8 @@ LARGEST = 192 << 20  # [byte] of the result folder at any time, ours: two games'
 
 HALF = 15.0  # [s] as in the preflight of a run: both teams take a kickoff
 
+SECOND = 1.3  # [s] of own time per simulated second: above the 1 s of `pauses`, below the 2.94 s of `slow_ticks`
+
 # What is no fault of the team, since it harms nobody; all else is a forfeit, and some of it either, as the isolation goes.
 HARMLESS = {"slow_connect", "slow_hello", "pauses", "lingers", "crash_at_end", "requests", "escape_name",
             "backtick_name", "closes_output", "prints", "forks", "daemons", "hidden_daemon", "many_files"}
@@ -46,7 +48,8 @@ class Hostile(Row):
         self.most = 0
 
     def text(self, hostile):
-        return nights.design(seed=self.seed % 1000 + 9, pairs=1, half_length=HALF, b={"command": ["team-reference"]}, limits={"team_memory": 256},
+        return nights.design(seed=self.seed % 1000 + 9, pairs=1, half_length=HALF, b={"command": ["team-reference"]},
+                             limits={"team_memory": 256, "team_second": SECOND},
                              conditions=[{"name": "hostile", "a.command": hostile, "a.name": "hostile"},
                                          {"name": "quiet", "a.command": ["team-chaser"], "a.name": "quiet"}])
 

@@ -49,7 +49,7 @@ class Faults:
             pass
 
     def once_pauses(self, tick):
-        time.sleep(2)
+        time.sleep(1)
 
     def once_cut(self, tick):
         self.send(self.reply(tick)[:-3])
