@@ -79,8 +79,9 @@ void TeamProcess::count_time(Patience::Clock::time_point now) {
 
 process::Activity TeamProcess::activity(Budget::Clock::time_point now) {
   std::vector<pid_t> processes = process::family_of(child_->pid());
-  if (now - strays_looked_for_ > strays_interval) {
+  if (now - strays_looked_for_ > strays_interval_) {
     strays_looked_for_ = now;
+    strays_interval_ = std::min<Patience::Clock::duration>(2 * strays_interval_, strays_interval);
     strays_ = process::started_with(family().mark);
   }
   for (const pid_t stray : strays_) {

@@ -154,6 +154,8 @@ class TeamProcess {
   Budget budget_;
   std::vector<pid_t> strays_;  // of its processes that left their parents
   Budget::Clock::time_point strays_looked_for_{};
+  Patience::Clock::duration strays_interval_ =
+      std::chrono::milliseconds{250};  // doubles: most leave at the start
   process::Usage usage_;
 };
 
