@@ -1,34 +1,15 @@
 #include "experiments/runner/program_files.h"
 
-#include <xxhash.h>
-
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <fstream>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 
 #include "experiments/process/program.h"
+#include "experiments/record/checksum.h"
 
 namespace runner {
-namespace {
 
 namespace fs = std::filesystem;
-
-struct FreeState {
-  void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
-};
-
-std::string digits(XXH128_hash_t hash) {
-  std::array<char, 33> text{};
-  std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                static_cast<unsigned long long>(hash.low64));
-  return text.data();
-}
-
-}  // namespace
 
 std::vector<fs::path> team_files(const record::TeamConfig& team, const std::string& who) {
   std::vector<fs::path> paths;
@@ -45,19 +26,14 @@ std::vector<fs::path> team_files(const record::TeamConfig& team, const std::stri
   return paths;
 }
 
-std::string hash_of(const std::string& text) { return digits(XXH3_128bits(text.data(), text.size())); }
+std::string hash_of(const std::string& text) { return record::checksum(text); }
 
 ProgramFile program_file(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw std::invalid_argument(path.string() + ": cannot be read");
-  const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
-  XXH3_128bits_reset(state.get());
-  std::array<char, 65536> buffer;
-  while (stream) {
-    stream.read(buffer.data(), buffer.size());
-    XXH3_128bits_update(state.get(), buffer.data(), static_cast<std::size_t>(stream.gcount()));
+  try {
+    return {path, record::checksum_of_file(path)};
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
   }
-  return {path, digits(XXH3_128bits_digest(state.get()))};
 }
 
 std::vector<ProgramFile> program_files(const schedule::Design& design) {
