@@ -33,6 +33,7 @@ class Ended:
     seconds: float
     memory: int  # [byte] greatest of it and of its children
     late: bool
+    after: float = 0  # [s] that it went on after the last signal it was sent
 
     @property
     def words(self):
@@ -75,6 +76,7 @@ class Child:
             self.process = subprocess.Popen(self.command, stdin=subprocess.DEVNULL, stdout=out, stderr=err, env=environment,
                                             cwd=cwd or arena.folder, preexec_fn=limits, start_new_session=True)
         self.pid, self.status, self.usage = self.process.pid, None, None
+        self.sent = self.begin
         arena.started[self.pid] = self
 
     def running(self):
@@ -90,7 +92,11 @@ class Child:
         """What it has printed to standard error so far."""
         return self.files[1].read_bytes()[:QUOTED].decode("utf-8", "replace")
 
+    def seconds(self):
+        return time.monotonic() - self.begin
+
     def send(self, number):
+        self.sent = time.monotonic()
         return self.running() and kill(self.pid, number)
 
     def wait(self, limit):
@@ -112,7 +118,7 @@ class Child:
                 texts.append(text if len(text) < QUOTED else text + b"\n" + stream.read())
             file.unlink()
         return Ended(self.command, self.process.returncode, *texts, time.monotonic() - self.begin,
-                     self.usage.ru_maxrss * 1024, late)
+                     self.usage.ru_maxrss * 1024, late, time.monotonic() - self.sent)
 
 
 class Arena:
@@ -244,7 +250,8 @@ def answer(ended, codes=CODES, memory=MEMORY, raw=True, sentence=True):
     if raw and (RAW.search(ended.out) or RAW.search(ended.err.replace(b"\r", b""))):
         wrong.append(f"{who} printed a control character")
     if sentence and not wrong and ended.code in (2, 5):
-        own = [line for line in ended.words.splitlines() if re.match(r"(matchday|ssl-autoref|ssl-sim): ", line)]
+        # Before it may stand the game that it is about.
+        own = [line for line in ended.words.splitlines() if re.match(r"([\w.-]+-\d+-\d: )?(matchday|ssl-autoref|ssl-sim): ", line)]
         if len(own) != 1:
             wrong.append(f"{who} refused (code {ended.code}) in {len(own)} sentences instead of one: {ended.last()}")
     return wrong

@@ -10,6 +10,7 @@ from .row import NotPossible, Row
 class Clocks(Row):
     name = "clocks"
     what = "wall clock that jumps by hours, back and forth, every 0.1 s; changes of daylight saving time"
+    checks = "same games and table as undisturbed, and the clock did jump"
     tries = 24
     least = 2
     seconds = 100

@@ -1,6 +1,9 @@
 """Damage to bytes and to numbers, at random."""
 import json
+import os
+import socket
 import struct
+from contextlib import closing
 
 NUMBERS = (-1, 0, 255, 256, 2**31 - 1, 2**31, -(2**31), 2**32, 2**53 + 1, 2**63 - 1, -(2**63), 2**64, 1e308, -1e308, 1e-320, 0.5)
 TEXTS = ("", "x" * 200_000, "\x1b]0;owned\x07", "`touch owned`", "\u202e", "-1", "NaN", "9" * 400, "{}", "\u0000")
@@ -63,6 +66,25 @@ def bytes_of(data, dice):
     """@return the damaged bytes and the name of the damage"""
     action = dice.choice(BYTES)
     return (action(data, dice), action.__name__) if data else (noise(data, dice), "noise")
+
+
+ODD = ("pipe", "device", "folder", "socket", "loop")
+
+
+def odd_file(path, kind):
+    """What is no file stands where one should; nobody writes into the pipe."""
+    path.unlink(missing_ok=True)
+    if kind == "pipe":
+        os.mkfifo(path)
+    elif kind == "device":
+        path.symlink_to("/dev/zero")
+    elif kind == "folder":
+        path.mkdir()
+    elif kind == "loop":
+        path.symlink_to(path.name)
+    else:
+        with closing(socket.socket(socket.AF_UNIX)) as one:
+            one.bind(str(path))
 
 
 def leaves(value, path=()):

@@ -50,6 +50,7 @@ def control(dice):
 class Datagrams(Row):
     name = "datagrams"
     what = f"random and mutated datagrams at ssl-sim's three ports, {BATCH} a try; it goes on answering"
+    checks = "ssl-sim answers plain questions after each try; memory and files stay bounded"
     tries = 225
     least = 3
     seconds = 130

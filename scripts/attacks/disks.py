@@ -1,5 +1,6 @@
 """Disks that are full, shrink, cannot be written, or lose the result folder; outputs that cannot be written."""
 import os
+import re
 import shutil
 import subprocess
 import time
@@ -7,14 +8,18 @@ import time
 from . import arena as tools
 from . import night as nights
 from .row import NotPossible, Row
-from .stops import small_disk
+from .stops import SECOND, small_disk
 
+WAITS = re.compile(r"waiting until|no game is started")  # what a run says that has no room
+PATIENCE = 60  # [s] ours: the whole run takes 2
 CASES = ("full", "shrinking", "read_only", "removed", "moved", "replaced", "file_instead", "verbs", "full_at_start")
 
 
 class Disks(Row):
     name = "disks"
     what = "full, shrinking, read-only disks; result folder removed or replaced meanwhile; every verb to /dev/full"
+    checks = ("without room a run says so, waits and goes on by itself, or TERM ends it; else code 5 and one sentence; then the games of "
+              "an undisturbed night; code 74 for output that is lost")
     tries = 36
     least = 9
     seconds = 180
@@ -27,6 +32,7 @@ class Disks(Row):
             raise RuntimeError(f"an undisturbed run ended with {ended.code}: {ended.last()}")
         self.expected, self.table, self.length = night.games(), night.table().out, ended.seconds
         self.undisturbed = night
+        self.runs = self.met = 0
 
     def attempt(self, number, dice):
         case = CASES[number % len(CASES)]
@@ -40,19 +46,29 @@ class Disks(Row):
             wrong = getattr(self, case)(number, dice)
         return [f"{case}: {sentence}" for sentence in wrong] + self.arena.left_over() + self.arena.temporary()
 
-    def stopped(self, night, ended):
-        """A run without room: it ends with 5 and says why; nothing in its ledger is half written."""
-        wrong = tools.answer(ended, codes=(0, 5))
-        if ended.code == 0 and not wrong:
-            return nights.same_games(night.games(), self.expected)
-        ledger = night.folder / "ledger.sqlite"
-        if not wrong and ledger.exists() and ledger.stat().st_size:
-            table = night.table("text")
-            wrong += tools.answer(table, codes=(0, 5))
-        return wrong
+    def without_room(self, night, runner, dice, make_room):
+        """The run says that it waits. Then there is room, and it goes on by itself; or TERM ends it."""
+        self.runs += 1
+        while runner.running() and runner.seconds() < PATIENCE and not WAITS.search(runner.said()):
+            time.sleep(0.05)
+        waits = runner.running() and WAITS.search(runner.said())
+        ends = waits and dice.random() < 0.3
+        if waits:
+            self.met += 1
+            time.sleep(dice.uniform(0.1, 1.5))
+            runner.send(15) if ends else make_room()
+        ended = runner.wait(PATIENCE)
+        self.notes = [f"of {self.runs} runs on such disks {self.met} had to wait for room"]
+        wrong = tools.answer(ended, codes=(143,) if ends else (0,) if waits else (0, 5))
+        if ends and not wrong and ended.after > SECOND:
+            wrong.append(f"TERM while it waits for room ends it after {ended.after:.0f} s")
+        make_room()
+        if not wrong and ended.code != 0 and (night.folder / "ledger.sqlite").exists():
+            wrong += tools.answer(night.table("text"), codes=(0, 5))
+        return wrong or self.whole(night, ended)
 
-    def whole(self, night):
-        ended, wrong = night.continued(night.run(), times=2)
+    def whole(self, night, ended=None):
+        ended, wrong = night.continued(ended or night.run(), times=2)
         wrong = wrong or nights.same_games(night.games(), self.expected)
         void = any(row["outcome"] == "void" for row in nights.rows(night.folder))  # those stand in the table
         return wrong or ([] if void or night.table().out == self.table else ["the table differs after continuing"])
@@ -62,17 +78,16 @@ class Disks(Row):
         runner = night.start()
         time.sleep(dice.uniform(0.05, 0.6 * self.length))
         fill(place, leave=dice.choice((0, 4096, 65536)))
-        ended = runner.wait(60)
-        wrong = self.stopped(night, ended)
-        (place / "filler").unlink()
-        return wrong or self.whole(night)
+        return self.without_room(night, runner, dice, lambda: (place / "filler").unlink(missing_ok=True))
 
     def full_at_start(self, number, dice, place):
         fill(place, leave=dice.choice((0, 4096, 20000)))
         night = nights.Night(self.arena, f"disk/start-{number}", self.text)
-        wrong = self.stopped(night, night.run(60))
-        (place / "filler").unlink()
-        return wrong or self.whole(night)
+        before = self.met
+        wrong = self.without_room(night, night.start(), dice, lambda: (place / "filler").unlink(missing_ok=True))
+        if self.met == before and not wrong:
+            wrong.append("no ledger has room here, but the run did not wait for it")
+        return wrong
 
     def shrinking(self, number, dice, place):
         night = nights.Night(self.arena, f"disk/shrink-{number}", self.text)
@@ -81,10 +96,7 @@ class Disks(Row):
             time.sleep(dice.uniform(0.02, 0.1) * self.length)
             used = shutil.disk_usage(place).used
             self.arena.run("mount", "-o", f"remount,size={used + dice.choice((4096, 65536, 500000))}", place)
-        ended = runner.wait(60)
-        wrong = self.stopped(night, ended)
-        self.arena.run("mount", "-o", "remount,size=24m", place)
-        return wrong or self.whole(night)
+        return self.without_room(night, runner, dice, lambda: self.arena.run("mount", "-o", "remount,size=24m", place))
 
     def read_only(self, number, dice, place):
         night = nights.Night(self.arena, f"disk/read-{number}", self.text)
@@ -170,10 +182,13 @@ class Disks(Row):
 
 
 def fill(place, leave):
-    """Fills a disk to the last byte but `leave`."""
+    """Fills a disk to the last byte but `leave`, whatever is written there or removed meanwhile."""
     with open(place / "filler", "wb") as stream:
-        free = shutil.disk_usage(place).free - leave
-        try:
-            os.posix_fallocate(stream.fileno(), 0, max(free, 1))
-        except OSError:
-            pass  # it was filled meanwhile
+        for _ in range(100):
+            free = shutil.disk_usage(place).free - leave
+            if free <= 0:
+                return
+            try:
+                os.posix_fallocate(stream.fileno(), 0, os.fstat(stream.fileno()).st_size + free)
+            except OSError:
+                pass  # it was filled meanwhile

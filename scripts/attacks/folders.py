@@ -9,14 +9,17 @@ from . import damage
 from . import night as nights
 from .row import Row
 
-KINDS = ("bytes", "row", "record", "bytes", "schema", "experiment", "row", "record", "manifest", "recording", "design", "bytes")
+KINDS = ("bytes", "row", "record", "bytes", "schema", "experiment", "row", "record", "manifest", "recording", "design", "bytes", "odd")
 FORMATS = ("text", "markdown", "csv", "json", "latex")
+PROMPT = 15  # [s] ours: to refuse takes 0.1 s, verify 2 s
 ROUND = 0.25  # share of the tries that also continue the run, which is the slowest command
 
 
 class Folders(Row):
     name = "folders"
-    what = "damaged ledgers, rows, numbers, schemas, manifests, recordings, designs into every command that reads them"
+    what = "damaged ledgers, rows, numbers, schemas, manifests, recordings, designs, and pipes or devices in their place, into every command that reads them"
+    checks = ("an exit code and one sentence of its own, within its time and memory, no control characters; verify notices what "
+              "changes a report")
     tries = 240
     least = 8
     seconds = 420
@@ -39,8 +42,11 @@ class Folders(Row):
         kind = KINDS[number % len(KINDS)]
         folder = self.arena.folder / f"damaged-{number}"
         shutil.copytree(self.night.folder, folder)
-        what, meant = getattr(self, "damage_" + kind)(folder, dice)
-        wrong = self.design(what, dice) if kind == "design" else self.commands(folder, dice, meant)
+        if kind == "odd":
+            what, wrong = self.odd(folder, dice)
+        else:
+            what, meant = getattr(self, "damage_" + kind)(folder, dice)
+            wrong = self.design(what, dice) if kind == "design" else self.commands(folder, dice, meant)
         shutil.rmtree(folder, ignore_errors=True)
         return [f"{kind} ({what}): {sentence}" for sentence in wrong]
 
@@ -119,6 +125,52 @@ class Folders(Row):
     def damage_design(self, _folder, dice):
         self.damaged = damage.toml_text(self.text, dice)
         return repr(self.damaged[:0]) if not self.damaged else "a design", False
+
+    # --- what is no file, where a file should be: refused at once
+
+    def odd(self, folder, dice):
+        place, kind = dice.choice(("design", "ledger", "journal", "recording", "manifest")), dice.choice(("pipe", *damage.ODD))
+        wrong = getattr(self, "odd_" + place)(folder, kind)
+        return f"{place} is a {kind}", wrong + self.arena.left_over() + self.arena.temporary()
+
+    def refused(self, codes, *words):
+        """The command ends soon, with one of these codes."""
+        ended = self.arena.run(self.arena.matchday, *words, limit=PROMPT, addresses=0)
+        return tools.answer(ended, codes=codes)
+
+    def odd_design(self, _folder, kind):
+        file, out = self.arena.folder / "odd.toml", self.arena.folder / "of-odd"
+        damage.odd_file(file, kind)
+        wrong = self.refused((2,), "plan", file) + self.refused((2,), "judge", file, "--games", "1", "--out", out)
+        wrong += self.refused((2,), "run", file, "--out", out, "--no-preflight")
+        if out.exists():
+            wrong.append("a design that is refused has a result folder")
+            shutil.rmtree(out)
+        file.rmdir() if kind == "folder" else file.unlink()
+        return wrong
+
+    def readers(self, folder, codes):
+        return self.refused(codes, "report", folder) + self.refused(codes, "replay", folder, "base-0000-1") + \
+            self.refused(codes, "verify", folder) + self.refused(codes, "run", self.night.file, "--out", folder, "--no-preflight")
+
+    def odd_ledger(self, folder, kind):
+        damage.odd_file(folder / "ledger.sqlite", kind)
+        return self.readers(folder, (2, 5))
+
+    def odd_journal(self, folder, kind):
+        damage.odd_file(folder / "ledger.sqlite-journal", kind)
+        return self.readers(folder, (0, 2, 5))
+
+    def odd_recording(self, folder, kind):
+        for file in [path for path in (folder / "games").rglob("game.*") if path.is_file()]:
+            damage.odd_file(file, kind)
+        return self.refused((2, 4, 5), "replay", folder, "base-0000-1", "--recorded") + self.refused((5,), "verify", folder) + \
+            self.refused((0,), "report", folder)
+
+    def odd_manifest(self, folder, kind):
+        for name in ("manifest.json", "status.json"):
+            damage.odd_file(folder / name, kind)
+        return self.refused((5,), "verify", folder) + self.refused((0, 2, 5), "report", folder, "--html")
 
     # --- the commands
 

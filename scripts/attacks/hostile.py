@@ -1,11 +1,12 @@
 """Teams that attack: the night goes on, the right one is blamed, and the other games are what they would have been."""
+import json
 import sqlite3
 import sys
 import time
 from pathlib import Path
 
 from . import arena as tools
-from . import hostile_team
+from . import hostile_cases, hostile_team
 from . import night as nights
 from .row import Row
 
@@ -15,29 +16,25 @@ LARGEST = 192 << 20  # [byte] of the result folder at any time, ours: two games'
 
 HALF = 15.0  # [s] as in the preflight of a run: both teams take a kickoff
 
+MEMORY = 256  # [MiB] of a team: a Python program takes 10
 SECOND = 1.3  # [s] of own time per simulated second: above the 1 s of `pauses`, below the 2.94 s of `slow_ticks`
-
-# What is no fault of the team, since it harms nobody; all else is a forfeit, and some of it either, as the isolation goes.
-HARMLESS = {"slow_connect", "slow_hello", "pauses", "lingers", "crash_at_end", "requests", "escape_name",
-            "backtick_name", "closes_output", "prints", "forks", "daemons", "hidden_daemon", "many_files"}
-EITHER = {"slow_ticks", "busy_ticks", "great_notes", "unknown_fields", "empty_commands", "same_robot", "great_name", "no_utf8_name",
-          "not_numbers", "no_such_robots", "many_processes", "fills_folder", "odd_files", "kills_other_team", "stops_other_team",
-          "kills_runner", "stops_host", "kills_all", "kills_parent", "traces_others", "visits_early", "visits_others",
-          "connects_twice", "connects_again", "removes_socket", "writes_ledger", "removes_results", "forges_ledger", "never_reads",
-          "gigabytes", "groups", "drips", "two_replies"}
-FAKES = ("flood", "burst", "memory", "gigabytes", "endless", "ignore-term")  # of tests/fakes
-
 
 class Hostile(Row):
     name = "hostile"
     what = "teams that attack host, other team, runner or machine, one way each, beside an ordinary game"
+    checks = ("each team's game ends in the one way that is right for it, the fault is its own, no game is void; the games beside it "
+              "are as undisturbed; nothing is left behind")
     least = 6
     seconds = 480
 
     def __init__(self, arena, seed):
         super().__init__(arena, seed)
         self.cases = [(mode, [sys.executable, str(PROGRAM), mode]) for mode in hostile_team.modes()]
-        self.cases += [("fake " + mode, ["fake-team", "--mode", mode, "--at", "40"]) for mode in FAKES]
+        self.cases += [("fake " + mode, ["fake-team", "--mode", mode, "--at", "40"]) for mode in hostile_cases.FAKES]
+        self.outcomes = hostile_cases.outcomes()
+        without = {mode for mode, _ in self.cases} ^ set(self.outcomes)
+        if without:
+            raise RuntimeError(f"hostile_cases.py and the teams differ in: {', '.join(sorted(without))}")
 
     def prepare(self):
         night = nights.Night(self.arena, "undisturbed", self.text(["team-chaser"]))
@@ -45,11 +42,12 @@ class Hostile(Row):
         if ended.code != 0:
             raise RuntimeError(f"an undisturbed run ended with {ended.code}: {ended.last()}")
         self.expected = {key: row for key, row in night.games().items() if key[0] == "quiet"}
+        self.isolation = json.loads((night.folder / "manifest.json").read_text())["isolation"]
         self.most = 0
 
-    def text(self, hostile):
+    def text(self, hostile, patient=False):
         return nights.design(seed=self.seed % 1000 + 9, pairs=1, half_length=HALF, b={"command": ["team-reference"]},
-                             limits={"team_memory": 256, "team_second": SECOND},
+                             limits={"team_memory": MEMORY, **({} if patient else {"team_second": SECOND})},
                              conditions=[{"name": "hostile", "a.command": hostile, "a.name": "hostile"},
                                          {"name": "quiet", "a.command": ["team-chaser"], "a.name": "quiet"}])
 
@@ -58,7 +56,7 @@ class Hostile(Row):
         folder = self.arena.folder / f"hostile-{number}"
         if command[0] == sys.executable:
             command = [*command, self.arena.token, str(folder).encode().hex()]  # who is told a folder may see it
-        night = nights.Night(self.arena, folder.name, self.text(command))
+        night = nights.Night(self.arena, folder.name, self.text(command, mode in hostile_cases.PATIENT))
         runner = night.start()
         until, size = time.monotonic() + 150, 0
         while runner.running() and time.monotonic() < until:
@@ -80,7 +78,7 @@ class Hostile(Row):
             wrong.append("a name ran a command")
         self.arena.temporary() if wrong else wrong.extend(self.arena.temporary())
         self.most = max(self.most, size)
-        self.notes = [f"result folders of at most {self.most >> 20} MiB"]
+        self.notes = [f"isolation: {self.isolation}; result folders of at most {self.most >> 20} MiB"]
         return [f"{mode}: {sentence}" for sentence in wrong]
 
     def judged(self, night, mode):
@@ -94,16 +92,28 @@ class Hostile(Row):
                 return wrong + [f"a void game, at fault {row['at_fault']}: {row['reason'][:140]}"]
             if row["at_fault"] not in ("nobody", row["a_colour"]):
                 return wrong + [f"the fault of {row['at_fault']}, but A was {row['a_colour']}: {row['reason'][:140]}"]
-            played = row["at_fault"] == "nobody"
-            if mode not in EITHER and played != (mode in HARMLESS):
-                return wrong + [f"{'no fault' if played else 'a forfeit'}: {row['reason'][:140]}"]
-            if not played and not row["reason"]:
-                wrong.append("a forfeit without a reason")
+            problem = self.ended_otherwise(row, mode)
+            if problem:
+                return wrong + [problem]
             if row["goals_yellow"] > 50 or row["goals_blue"] > 50:
                 wrong.append("a row of the ledger was forged")
         if len([key for key in games if key[0] == "hostile"]) != 2:
             wrong.append("games are missing")
         return wrong
+
+    def ended_otherwise(self, row, mode):
+        """A sentence when the game did not end as it must."""
+        said = f"{row['termination']}, the fault of {row['at_fault']}: {row['reason'][:140]}"
+        if f"code {hostile_team.BROKE}" in row["reason"] or "hostile_team.py broke" in row["reason"]:
+            return "the attack itself broke: " + row["reason"][:200]
+        if row["at_fault"] != "nobody" and not row["reason"]:
+            return "a forfeit without a reason"
+        if mode in hostile_cases.OUT_OF_REACH and self.isolation == "none":
+            return ""
+        wanted = self.outcomes[mode]
+        if row["termination"] != wanted or (row["at_fault"] == "nobody") != (wanted == "finished"):
+            return f"must end as {wanted}, but ended as {said}"
+        return ""
 
 
 def used(folder):
@@ -120,4 +130,4 @@ def used(folder):
     return total
 
 
-Hostile.tries = len(hostile_team.modes()) + len(FAKES)
+Hostile.tries = len(hostile_team.modes()) + len(hostile_cases.FAKES)

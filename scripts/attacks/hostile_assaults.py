@@ -1,5 +1,6 @@
 """What a team can do to the machine, to the others and to the results; methods as in hostile_faults.py."""
 import ctypes
+import multiprocessing
 import os
 import resource
 import shutil
@@ -10,6 +11,7 @@ import time
 from pathlib import Path
 
 MIB = 1 << 20
+PIECE = 128 * MIB
 
 
 class Assaults:
@@ -29,7 +31,7 @@ class Assaults:
                 (then or self.hang)()
 
     def once_forks(self, tick):
-        self.fork(50, False)
+        self.fork(10, False)
 
     def once_forks_and_crash(self, tick):
         self.fork(20, False)
@@ -55,29 +57,59 @@ class Assaults:
             self.hang()
         self.fork(40, True, family)
 
+    def once_fork_bomb(self, tick):
+        """1000 processes: each starts three others and leaves, so that none stays long enough to be ended."""
+        left = multiprocessing.Value("i", 1000)
+
+        def grow():
+            for _ in range(3):
+                with left.get_lock():
+                    left.value -= 1
+                    over = left.value < 0
+                if over:
+                    self.hang()
+                if os.fork() == 0:
+                    time.sleep(0.01)
+                    grow()
+            os._exit(0)
+        if os.fork() == 0:
+            grow()
+
     def once_many_files(self, tick):
         resource.setrlimit(resource.RLIMIT_NOFILE, (resource.getrlimit(resource.RLIMIT_NOFILE)[1],) * 2)
         self.files = []
-        while len(self.files) < 20_000:
+        while len(self.files) < 5000:
             try:
                 self.files.append(os.open("/dev/null", os.O_RDONLY))
             except OSError:
                 break
 
-    def into_game_folder(self):
-        """Or, when it cannot be seen, home."""
-        try:
-            os.chdir(os.environ.get("MATCHDAY_GAME", "/nonexistent"))
-        except OSError:
-            os.chdir(os.environ.get("HOME", "/tmp"))
-
     def once_fills_folder(self, tick):
-        self.into_game_folder()
+        os.chdir(self.logs)
         for n in range(60):
             Path(f"junk-{n}").write_bytes(bytes(MIB))
 
+    def pieces(self, size, make):
+        """Files of PIECE each: the attack bounds the size of one file."""
+        self.held = [make(number) for number in range(-(-size // PIECE))]
+        for file in self.held:
+            os.posix_fallocate(file, 0, PIECE)
+
+    def once_memfd(self, tick):
+        """Memory that no process has mapped, twice of what is allowed."""
+        self.pieces(512 * MIB, lambda number: os.memfd_create(f"held-{number}"))
+
+    def once_unlinked(self, tick):
+        """Files without a name, a fifth above the GiB that is allowed."""
+        def make(number):
+            path = Path(self.logs) / f"held-{number}"
+            file = os.open(path, os.O_CREAT | os.O_RDWR)
+            path.unlink()
+            return file
+        self.pieces(1229 * MIB, make)
+
     def once_odd_files(self, tick):
-        self.into_game_folder()
+        os.chdir(self.logs)
         os.mkfifo("pipe")
         os.symlink("/etc/passwd", "link")
         os.symlink(".", "round")
@@ -173,7 +205,10 @@ class Assaults:
 
     def start_removes_socket(self):
         self.socket = self.connect()
-        os.unlink(os.environ["MATCHDAY_SOCKET"])
+        try:
+            os.unlink(os.environ["MATCHDAY_SOCKET"])
+        except OSError:
+            pass
         self.connect = lambda: self.socket
 
     # --- the result folder

@@ -3,6 +3,7 @@
 The name of each method says when it comes: start_ (before it connects), connected_, hello_, tick_ (from tick AT on),
 once_ (at tick AT), end_; then the mode. What it returns is sent instead of the usual message.
 """
+import ctypes
 import os
 import signal
 import socket
@@ -12,12 +13,14 @@ from attacks.wire import delimited, floating, frame, number, text, varint
 
 MIB = 1 << 20
 ESCAPE = "\x1b]0;owned\x07\x1b[2J\x9b31m\r\n\u202e"
+LARGEST_FRAME, LONGEST_NAME = 4096, 100  # [byte] sim/wire/team_limits.h
+STANDS = 100  # the tick from which on a hostile team stands
 F32 = float("nan"), float("inf"), 1e38
 
 
 def drive(tick, speed=0.0, robots=range(6), more=b""):
     """RobotControl: a metre to the side at first, so that the team has moved; then they stand."""
-    move = delimited(2, delimited(2, floating(1, speed) + floating(2, 0.6 if tick < 100 else 0.0) + floating(3, 0.0)))
+    move = delimited(2, delimited(2, floating(1, speed) + floating(2, 0.6 if tick < STANDS else 0.0) + floating(3, 0.0)))
     return delimited(2, b"".join(delimited(1, number(1, robot) + move) for robot in robots) + more)
 
 
@@ -60,6 +63,19 @@ class Faults:
             self.send(bytes([byte]))
             time.sleep(0.5)
 
+    def hello_half_hello(self):
+        self.send(self.hello()[:-3])
+        self.hang()
+
+    def once_half_length(self, tick):
+        self.send(b"\x80")
+        self.hang()
+
+    def once_vfork(self, tick):
+        """The parent of a vfork waits in the kernel as for a disk, until the child runs another program: never."""
+        if ctypes.PyDLL(None).vfork() == 0:
+            self.hang()
+
     def once_stops_itself(self, tick):
         os.kill(os.getpid(), signal.SIGSTOP)
 
@@ -67,6 +83,9 @@ class Faults:
         for later in range(tick, tick + 10_000):
             self.send(self.reply(later))
         self.hang()
+
+    def hello_never_moves(self):
+        self.still = True
 
     # --- ends, at every stage
 
@@ -138,6 +157,8 @@ class Faults:
         return self.hello(keeper=2**32 - 1)
 
     def tick_not_numbers(self, tick):
+        if tick < STANDS:
+            return None  # it has moved first
         return self.reply(tick, drive(tick, F32[tick % 3]))
 
     def tick_no_such_robots(self, tick):
@@ -158,6 +179,18 @@ class Faults:
     def hello_backtick_name(self):
         return self.hello(name="`touch owned`$(touch owned)';touch owned;'", more=text(3, "\"`touch owned`"))
 
+    def hello_bidi_name(self):
+        return self.hello(name="\u202eevil\u2066", more=text(3, "\u202e1.0"))
+
+    def hello_longest_name(self):
+        return self.hello(name="n" * LONGEST_NAME, more=text(3, "v" * LONGEST_NAME))
+
+    def hello_long_name(self):
+        return self.hello(name="n" * (LONGEST_NAME + 1))
+
+    def hello_name_of_100_kb(self):
+        return self.hello(name="n" * 100_000)
+
     def hello_no_utf8_name(self):
         return self.hello(name=b"\xff\xfe\xc0\x80")
 
@@ -172,6 +205,20 @@ class Faults:
 
     def tick_same_robot(self, tick):
         return self.reply(tick, drive(tick, robots=[0] * 30_000))
+
+    def of_size(self, size, message):
+        """The message with an unknown field after it, so that its payload has that many bytes."""
+        payload = message[1 if message[0] < 0x80 else 2:]
+        return frame(payload + delimited(77, bytes(size - len(payload) - 4)))  # two bytes of key, two of length
+
+    def tick_largest_frame(self, tick):
+        return self.of_size(LARGEST_FRAME, self.reply(tick))
+
+    def tick_just_too_large(self, tick):
+        return self.of_size(LARGEST_FRAME + 1, self.reply(tick))
+
+    def hello_too_large_hello(self):
+        return self.of_size(LARGEST_FRAME + 1, self.hello())
 
     def once_too_large(self, tick):
         return varint(2 * MIB) + bytes(2 * MIB)
@@ -198,8 +245,8 @@ class Faults:
     def tick_prints(self, tick):
         os.write(1, b"." * 100_000)
 
-    def once_gigabytes(self, tick):
-        for _ in range(1200):
+    def tick_gigabytes(self, tick):
+        for _ in range(16):
             os.write(1, b"." * MIB)
 
     def once_prints_escapes(self, tick):

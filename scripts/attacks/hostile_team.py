@@ -14,15 +14,18 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from attacks.hostile_assaults import Assaults  # noqa: E402
 from attacks.hostile_faults import Faults, drive  # noqa: E402
-from attacks.wire import delimited, frame, kind_of, number, tick_of  # noqa: E402
+from attacks.wire import delimited, frame, kind_of, number, text_of, tick_of  # noqa: E402
 
 AT = 40  # the tick of the attack: the game is on
+BROKE = 97  # the code with which it ends when the attack itself was wrong
 
 
 class Team(Faults, Assaults):
     def __init__(self, mode, token, folder):
         self.mode, self.token, self.folder = mode, token, folder
         self.socket = None
+        self.logs = None  # the folder where it may write
+        self.still = False
         self.buffer = b""
 
     # --- the protocol
@@ -57,7 +60,7 @@ class Team(Faults, Assaults):
         return frame(delimited(1, number(1, version) + delimited(2, named) + number(4, keeper) + more))
 
     def reply(self, tick, control=None, more=b""):
-        return frame(delimited(2, number(1, tick) + (drive(tick) if control is None else control) + more))
+        return frame(delimited(2, number(1, tick) + (b"" if self.still else drive(tick) if control is None else control) + more))
 
     def play(self):
         early = getattr(self, "start_" + self.mode, None)
@@ -73,6 +76,7 @@ class Team(Faults, Assaults):
                 return 1
             kind = kind_of(message)
             if kind == "hello":
+                self.logs = text_of(message, 1, 5).decode()
                 action = getattr(self, "hello_" + self.mode, None)
                 self.send(action() or self.hello() if action else self.hello())
             elif kind == "tick":
@@ -103,3 +107,6 @@ if __name__ == "__main__":
         sys.exit(Team(words[0], words[1], Path(bytes.fromhex(words[2]).decode() or "/nonexistent")).play())
     except (BrokenPipeError, ConnectionError):
         sys.exit(1)
+    except Exception as error:
+        print(f"hostile_team.py broke: {error!r}", file=sys.stderr, flush=True)
+        os._exit(BROKE)

@@ -9,14 +9,16 @@ from . import night as nights
 from .row import Row
 
 MEMORY = 384 << 20  # [byte] ours: twice what the largest of these sound files takes with all its shadows (judge)
-KINDS = ("log", "replies", "judged", "log", "judged", "packed", "replies", "calibrate", "judged", "amplifier")
+KINDS = ("log", "replies", "judged", "log", "judged", "packed", "replies", "calibrate", "judged", "amplifier", "odd")
 MESSAGE = struct.Struct(">qii")  # receive time [ns], type, size: SSL logs, after a header of 16 bytes
+PROMPT = 10  # [s] ours: to refuse takes 0.1 s
 KEPT = 3000  # messages of the log: some 10 s of a game, so that a try takes 0.1 s
 
 
 class Logs(Row):
     name = "logs"
-    what = "damaged logs and recordings into ssl-autoref replay and calibrate, matchday continue, judge --again; amplifiers"
+    what = "damaged logs and recordings into ssl-autoref replay and calibrate, matchday continue, judge --again; amplifiers; pipes and devices"
+    checks = "an exit code and one sentence of its own, within a minute and 384 MiB; damaged files are bad input (2)"
     tries = 1455
     least = 20
     seconds = 420
@@ -46,6 +48,8 @@ class Logs(Row):
         self.most = max(self.most, ended.memory)
         self.notes = [f"at most {self.most >> 20} MiB"]
         wrong = tools.answer(ended, memory=MEMORY)
+        if kind == "odd" and not wrong and ended.code != 2:
+            wrong.append(f"{ended.command[1]} of what is no file ends with code {ended.code} instead of 2")
         if ended.code == 5 and kind != "judged":
             wrong.append("a damaged file is bad input (2), not a result folder (5)")
         shutil.rmtree(place, ignore_errors=True)
@@ -111,6 +115,19 @@ class Logs(Row):
     def try_judged(self, place, dice):
         data, what = damage.bytes_of(self.judged, dice)
         return what, self.again(place, data)
+
+    def try_odd(self, place, dice):
+        """A pipe, a device, a folder in place of a file: refused at once."""
+        kind, packed = dice.choice(("pipe", *damage.ODD)), dice.choice(("", ".gz"))
+        log, replies = place / ("game.log" + packed), place / ("game.replies" + packed)
+        matchday, autoref = self.arena.matchday, self.arena.autoref
+        words = dice.choice(([autoref, "replay", log], [autoref, "calibrate", log], [matchday, "continue", replies],
+                             [matchday, "continue", replies, "--from", "1"], [matchday, "judge", self.design, "--again", place / "kept",
+                                                                              "--games", "1", "--out", place / "out"]))
+        (place / "kept").mkdir()
+        for file in (log, replies, place / "kept" / self.judged_name):
+            damage.odd_file(file, kind)
+        return f"a {kind}, {words[1]}", self.arena.run(*words, limit=PROMPT, addresses=0)
 
     def try_amplifier(self, place, dice):
         """Few bytes that ask for many."""

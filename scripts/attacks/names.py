@@ -46,6 +46,7 @@ class Markup(html.parser.HTMLParser):
 class Names(Row):
     name = "names"
     what = "backticks, $(), quotes, control characters, markup, long names in designs, ledgers, branches, flags, folders, TMPDIR"
+    checks = "no name is a command, markup, LaTeX or a terminal sequence; an exit code and one sentence"
     tries = 144
     least = 6
     seconds = 200

@@ -75,7 +75,8 @@ class Night:
     """One design in one folder, run as often as needed."""
 
     def __init__(self, arena, name, text, preflight=False, workers=2, env=None):
-        self.arena, self.folder, self.file = arena, arena.folder / name, arena.folder / f"{name}.toml"
+        # The design lies beside all result folders, not in one of them: those may be on a disk that is full.
+        self.arena, self.folder, self.file = arena, arena.folder / name, arena.folder / f"{name.replace('/', '-')}.toml"
         self.file.write_text(text)
         self.env = env
         self.command = [arena.matchday, "run", self.file, "--out", self.folder, "--workers", str(workers)]
@@ -95,6 +96,15 @@ class Night:
     def family(self):
         """Processes of its games: {pid: worker or team}."""
         return {pid: "worker" if words[1:2] == ["worker"] else "team" for pid, words in self.arena.processes(self.mark).items()}
+
+    def program(self, pid):
+        """Which of the two programs the process of a team is or holds; "" when it has ended."""
+        try:
+            words = Path(f"/proc/{pid}/cmdline").read_bytes().decode("utf-8", "replace").rstrip("\0").split("\0")
+        except OSError:
+            return ""
+        # What isolates a team names its program last.
+        return Path(words[-1]).name if Path(words[-1]).name in PROGRAMS else ""
 
     def games(self):
         return counted(rows(self.folder))

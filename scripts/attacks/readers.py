@@ -13,6 +13,7 @@ CASES = ("select-long", "copy", "immediate", "report", "immediate-long", "backup
 class Readers(Row):
     name = "readers"
     what = "an open SELECT, a BEGIN IMMEDIATE, a copy, a backup, reports, while a run writes"
+    checks = "the run ends with 0 and all its games as undisturbed; copies and backups are sound"
     tries = 24
     least = 3
     seconds = 200

@@ -1,8 +1,11 @@
 """One row of the table: tries of one kind, each of which can be repeated alone."""
 import random
 import shutil
+import sys
 import time
 import traceback
+
+from .arena import printable
 
 
 class NotPossible(Exception):
@@ -19,7 +22,8 @@ def broke():
 class Row:
     """A kind of attack. `tries` and `seconds` are those of a campaign of an hour."""
     name = ""
-    what = ""
+    what = ""  # is done
+    checks = ""  # what must hold after each try
     tries = 1
     least = 1  # of the shortest campaign
     seconds = 60
@@ -58,19 +62,25 @@ class Row:
         except Exception:
             return [broke()]
 
-    def play(self, share, only=None):
-        """@param share  of an hour
-        @param only   the number of the one try that is repeated
+    @classmethod
+    def part(cls, share):
+        """How many tries a campaign of that share of an hour has."""
+        return max(cls.least, min(cls.tries, round(cls.tries * share)))
+
+    def play(self, share, seconds, only=None):
+        """@param share    of an hour: so many of the tries
+        @param seconds  after which no further try begins, once there were `least` of them
+        @param only     the number of the one try that is repeated
         @return a line of the table, as a dictionary"""
         begin = time.monotonic()
-        self.planned = max(self.least, min(self.tries, round(self.tries * share)))
-        # Twice the share: the tries should take one, and a row that is slow today still ends.
-        self.until = begin + max(2 * self.seconds * share, 10)
-        result = {"row": self.name, "what": self.what, "planned": self.planned, "tries": 0, "failed": 0, "failures": []}
+        self.planned = self.part(share)
+        self.until = begin + max(seconds, 10)
+        result = {"row": self.name, "what": self.what, "checks": self.checks, "planned": self.planned, "tries": 0, "failed": 0, "failures": []}
         self.arena.place("now")
 
         def fail(number, sentences):
             result["failed"] += 1
+            print(f"{self.name} try {number}: {printable(sentences[0])[:300]}", file=sys.stderr, flush=True)
             for sentence in sentences:
                 result["failures"].append({"try": number, "sentence": sentence,
                                            "again": f"scripts/attack --only {self.name} --seed {self.seed} --try {number}"})
@@ -79,6 +89,8 @@ class Row:
             self.prepare()
             if self.bulk:
                 result["tries"], wrong = self.attempt(0, self.dice(0))
+                if result["tries"] < self.planned:
+                    self.notes.append(f"time for {result['tries']} of {self.planned}")
                 if wrong:
                     fail(0, wrong)
             else:

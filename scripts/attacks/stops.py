@@ -16,6 +16,8 @@ SECOND = 10  # [s] ours: running games are ended within the 2 s of their grace e
 class Stops(Row):
     name = "stops"
     what = "STOP and CONT of host, teams, runner; TERM, INT, HUP once and twice, in the preflight, waiting for disk"
+    checks = ("a pause changes no game; a signal ends the run in time with its code and the command that continues; then the games "
+              "are those of an undisturbed night")
     tries = 100
     least = 6
     seconds = 330
@@ -31,7 +33,7 @@ class Stops(Row):
 
     def attempt(self, number, dice):
         kind = ("pause", "once", "disk", "twice", "preflight", "plain")[number % 6]
-        return getattr(self, kind)(number, dice) + self.arena.left_over()
+        return getattr(self, kind)(number, dice) + self.arena.left_over() + self.arena.temporary()
 
     def finish(self, night, ended):
         ended, wrong = night.continued(ended)

@@ -50,6 +50,34 @@ def tick_of(payload):
         at += 1
 
 
+def text_of(payload, *path):
+    """The bytes of a field in a field, by their numbers, of a sound message; b"" when it is not there."""
+    for wanted in path:
+        at, found = 0, b""
+        while at < len(payload):
+            key, at = varint_of(payload, at)
+            if key & 7 == 2:
+                size, at = varint_of(payload, at)
+                found = payload[at:at + size] if key >> 3 == wanted else found
+                at += size
+            elif key & 7 == 0:
+                _, at = varint_of(payload, at)
+            else:
+                at += 8 if key & 7 == 1 else 4
+        payload = found
+    return payload
+
+
+def varint_of(payload, at):
+    value = shift = 0
+    while True:
+        value |= (payload[at] & 0x7F) << shift
+        shift += 7
+        at += 1
+        if payload[at - 1] < 0x80:
+            return value, at
+
+
 def kind_of(payload):
     """hello, tick, goodbye"""
     return {1: "hello", 2: "tick", 3: "goodbye"}.get(payload[0] >> 3, "other") if payload else "other"
