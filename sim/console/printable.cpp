@@ -47,12 +47,17 @@ struct Span {
   char32_t last;
 };
 
-/// What acts instead of being seen: Unicode's general categories Cc, Zl and Zp, of Cf those below, and what
-/// is no character.
-constexpr std::array<Span, 14> acting{{{0x00, 0x1F},
-                                       {0x7F, 0x9F},
+/// What acts instead of being seen: Unicode's general categories Cc, Cf, Zl and Zp (Unicode 15.1), and what
+/// is no character. Their blocks are taken whole where the rest of a block is not assigned.
+constexpr std::array<Span, 23> acting{{{0x00, 0x1F},          // control
+                                       {0x7F, 0x9F},          // control
                                        {0xAD, 0xAD},          // soft hyphen
+                                       {0x600, 0x605},        // Arabic signs around numbers
                                        {0x61C, 0x61C},        // Arabic letter mark
+                                       {0x6DD, 0x6DD},        // Arabic end of ayah
+                                       {0x70F, 0x70F},        // Syriac abbreviation
+                                       {0x890, 0x891},        // Arabic signs of money
+                                       {0x8E2, 0x8E2},        // Arabic disputed end of ayah
                                        {0x180E, 0x180E},      // Mongolian vowel separator
                                        {0x200B, 0x200F},      // no width; left-to-right, right-to-left marks
                                        {0x2028, 0x202E},      // line, paragraph; embeddings and overrides
@@ -61,6 +66,10 @@ constexpr std::array<Span, 14> acting{{{0x00, 0x1F},
                                        {0xFEFF, 0xFEFF},      // byte order mark
                                        {0xFFF9, 0xFFFB},      // annotations
                                        {0xFFFE, 0xFFFF},      // no characters
+                                       {0x110BD, 0x110BD},    // Kaithi number signs
+                                       {0x110CD, 0x110CD},    // the same above
+                                       {0x13430, 0x1343F},    // of hieroglyphs
+                                       {0x1BCA0, 0x1BCA3},    // of shorthand
                                        {0x1D173, 0x1D17A},    // of musical notation
                                        {0xE0000, 0xE0FFF}}};  // tags
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace console {
 namespace {
@@ -33,6 +34,39 @@ TEST(Printable, HasNothingThatTurnsOrHidesLetters) {
   EXPECT_EQ(printable("\xE2\x81\xA6"), bad) << "U+2066, an isolate";
   EXPECT_EQ(printable("\xE2\x80\x8B"), bad) << "U+200B, no width";
   EXPECT_EQ(printable("\xF3\xA0\x80\x81"), bad) << "U+E0001, a tag";
+}
+
+std::string utf8(char32_t code) {
+  const auto byte = [](char32_t bits) { return static_cast<char>(static_cast<unsigned char>(bits)); };
+  const auto low = [&](int shift) { return byte(0x80U | ((code >> shift) & 0x3FU)); };
+  if (code < 0x80) return {byte(code)};
+  if (code < 0x800) return {byte(0xC0U | (code >> 6)), low(0)};
+  if (code < 0x10000) return {byte(0xE0U | (code >> 12)), low(6), low(0)};
+  return {byte(0xF0U | (code >> 18)), low(12), low(6), low(0)};
+}
+
+// Category Cf of DerivedGeneralCategory-15.1.0.txt, and Zl and Zp; the tested list has whole blocks.
+TEST(Printable, HasNoFormatCharacter) {
+  std::vector<char32_t> all{0xAD,   0x61C,  0x6DD,   0x70F,   0x890,  0x891,  0x8E2,
+                            0x180E, 0xFEFF, 0x110BD, 0x110CD, 0x2028, 0x2029, 0xE0001};
+  const auto from = [&](char32_t first, char32_t last) {
+    for (char32_t code = first; code <= last; ++code) all.push_back(code);
+  };
+  from(0x600, 0x605);
+  from(0x200B, 0x200F);
+  from(0x202A, 0x202E);
+  from(0x2060, 0x2064);
+  from(0x2066, 0x206F);
+  from(0xFFF9, 0xFFFB);
+  from(0x13430, 0x1343F);
+  from(0x1BCA0, 0x1BCA3);
+  from(0x1D173, 0x1D17A);
+  from(0xE0020, 0xE007F);
+  EXPECT_EQ(all.size(), 172U);  // 170 of Cf, one each of Zl and Zp
+  for (const char32_t code : all) {
+    EXPECT_EQ(printable("a" + utf8(code) + "b"), "a" + bad + "b") << std::hex << static_cast<unsigned>(code);
+    EXPECT_EQ(printable_json(utf8(code)).substr(0, 2), "\\u") << std::hex << static_cast<unsigned>(code);
+  }
 }
 
 TEST(Printable, IsValidUtf8) {
