@@ -55,20 +55,47 @@ Progress::Progress(std::ostream& out, bool terminal, const schedule::Design& des
       total_(total),
       resolved_(resolved),
       resolved_before_(resolved) {
-  for (const schedule::Condition& condition : design.conditions) scores_.push_back({condition.name});
+  for (const schedule::Condition& condition : design.conditions)
+    conditions_.push_back({condition.name, {}, {}});
+}
+
+Progress::Score Progress::Games::score() const {
+  Score sum;
+  for (const auto& [pair, score] : pairs) {
+    sum.wins += score.wins;
+    sum.draws += score.draws;
+    sum.losses += score.losses;
+  }
+  return sum;
 }
 
 void Progress::known(const record::Attempt& attempt) {
-  const auto score = std::find_if(scores_.begin(), scores_.end(),
-                                  [&](const Score& one) { return one.condition == attempt.key.condition; });
-  const record::Outcome outcome = record::outcome(attempt.record);
-  if (score == scores_.end() || outcome == record::Outcome::Void) return;
-  if (outcome == record::Outcome::Draw) {
-    ++score->draws;
-  } else if (a_is(attempt, outcome)) {
-    ++score->wins;
-  } else {
-    ++score->losses;
+  const int pair = attempt.key.pair;
+  const auto games = std::find_if(conditions_.begin(), conditions_.end(),
+                                  [&](const Games& one) { return one.condition == attempt.key.condition; });
+  if (games == conditions_.end() || (games->next_pair && pair >= *games->next_pair)) return;
+  std::vector<record::Attempt>& begun = games->begun[pair];
+  begun.push_back(attempt);
+  begun.back().record.timeline = {};  // nine tenths of it
+  std::vector<const record::Attempt*> all;
+  for (const record::Attempt& one : begun) all.push_back(&one);
+  const record::PairState state = record::pair_state(all);
+  if (!state.complete()) return;
+  Score score;
+  for (const record::Attempt* leg : state.legs) {
+    const record::Outcome outcome = record::outcome(leg->record);
+    ++(outcome == record::Outcome::Draw ? score.draws : a_is(*leg, outcome) ? score.wins : score.losses);
+  }
+  games->pairs[pair] = score;
+  games->begun.erase(pair);
+}
+
+void Progress::stop(const std::string& condition, int next_pair) {
+  for (Games& games : conditions_) {
+    if (games.condition != condition) continue;
+    games.next_pair = next_pair;
+    games.begun.erase(games.begun.lower_bound(next_pair), games.begun.end());
+    games.pairs.erase(games.pairs.lower_bound(next_pair), games.pairs.end());
   }
 }
 
@@ -116,8 +143,9 @@ std::string Progress::line(Clock::time_point now) const {
   if (left_ && resolved_ < total_) {
     text += ", " + hours(left_->seconds) + " left (" + hours(left_->low) + "-" + hours(left_->high) + ")";
   }
-  for (const Score& score : scores_) {
-    text += (&score == &scores_.front() ? " | " : ", ") + score.condition +
+  for (const Games& games : conditions_) {
+    const Score score = games.score();
+    text += (&games == &conditions_.front() ? " | " : ", ") + games.condition +
             printed(" %d-%d-%d", score.wins, score.draws, score.losses);
   }
   return text;

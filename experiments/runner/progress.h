@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cstddef>
 #include <iosfwd>
+#include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -37,6 +37,9 @@ class Progress {
     resolved_before_ = std::min(resolved_before_, resolved);
   }
 
+  /// Pairs of a condition from this number on do not count: its stopping rule has ended it.
+  void stop(const std::string& condition, int next_pair);
+
   /// Draws the line anew, at most a few times a second.
   void tick(std::size_t running, Clock::time_point now = Clock::now());
   /// Removes the line.
@@ -44,15 +47,23 @@ class Progress {
   /// A sentence of its own.
   void say(const std::string& sentence);
 
-  /// "5/24 games, 4.2/min, 4:31 left (4:02-5:00) | equal 2-1-1, half-speed 1-0-0"
+  /// "5/24 games, 4.2/min, 4:31 left (4:02-5:00) | equal 2-1-1, half-speed 0-0-0"
+  ///
+  /// Wins, draws and losses of team A are those of the report: of pairs whose two games count.
   std::string line(Clock::time_point now) const;
 
  private:
   struct Score {
-    std::string condition;
     int wins = 0;  ///< of team A
     int draws = 0;
     int losses = 0;
+  };
+  struct Games {
+    std::string condition;
+    std::map<int, std::vector<record::Attempt>> begun;  ///< by pair: those whose games do not count yet
+    std::map<int, Score> pairs;                         ///< that count
+    std::optional<int> next_pair{};                     ///< pairs from this number on do not count
+    Score score() const;
   };
 
   std::ostream& out_;
@@ -61,7 +72,7 @@ class Progress {
   std::size_t total_;
   std::size_t resolved_;
   std::size_t resolved_before_;
-  std::vector<Score> scores_;
+  std::vector<Games> conditions_;
   std::optional<TimeLeft::Estimate> left_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point drawn_{};

@@ -241,7 +241,9 @@ class Run {
     for (const std::size_t question : answered) {
       const stopping::Standing& standing = watch_.standings()[question];
       for (const stopping::Question::Term& term : standing.question.terms) {
-        plan_.stop(design_.conditions[term.condition].name, standing.next_pair);
+        const std::string& condition = design_.conditions[term.condition].name;
+        plan_.stop(condition, standing.next_pair);
+        progress_.stop(condition, standing.next_pair);
       }
     }
     if (!answered.empty()) progress_.set_total(plan_.total(), plan_.resolved());
