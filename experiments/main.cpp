@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "experiments/builds/builds.h"
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/record/ledger.h"
@@ -413,6 +414,9 @@ int matchday(int argc, char** argv) {
 int guarded(int argc, char** argv) {
   try {
     return matchday(argc, argv);
+  } catch (const builds::Interrupted& interrupted) {
+    complain(interrupted.what(), ExitCode::signal_base);
+    return ExitCode::signal_base + interrupted.signal;
   } catch (const record::StorageError& error) {
     return complain(error.what(), ExitCode::storage);
   } catch (const std::invalid_argument& error) {

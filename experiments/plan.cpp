@@ -9,7 +9,6 @@
 #include <set>
 #include <utility>
 
-#include "experiments/builds/builds.h"
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/experiment.h"
@@ -134,7 +133,7 @@ struct Interrupted {
 Speed calibrate(schedule::Design& design, const std::filesystem::path& folder, int workers,
                 std::string& remark) {
   using Clock = std::chrono::steady_clock;
-  builds::prepare(design, folder / "builds", std::cerr);
+  build_teams(design, folder);
   const auto isolation = chosen_isolation(design.isolation, "isolation =").level;
   const auto visible = visible_paths(design.visible, "visible =");
   std::vector<runner::Pace> paces;

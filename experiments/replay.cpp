@@ -2,7 +2,6 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "experiments/builds/builds.h"
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/experiment.h"
@@ -72,7 +71,7 @@ int compare(const record::MatchRecord& again, const record::Attempt& attempt, bo
 int replay(const ReplayOptions& options) {
   check_temporary_folder(Games::Here);
   Experiment experiment = read_experiment(options.folder);
-  if (!options.recorded) builds::prepare(experiment.design, options.folder / "builds", std::cerr);
+  if (!options.recorded) build_teams(experiment.design, options.folder);
   const schedule::Game game = schedule::find_game(experiment.design, options.game);
   const record::Attempt& attempt = recorded(experiment, game.key);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <iostream>
 
-#include "experiments/builds/builds.h"
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/experiment.h"
@@ -74,7 +73,7 @@ int run(const RunOptions& options) {
   if (design.stopping.rule != schedule::StopRule::Fixed) {
     std::cerr << "stopping: " << stopping::rule(design) << std::endl;
   }
-  builds::prepare(design, settings.out / "builds", std::cerr);
+  build_teams(design, settings.out);
   const std::string again = "continue with: " + schedule::shell_line(options.command_line);
   runner::RunResult result;
   try {

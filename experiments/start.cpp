@@ -6,15 +6,20 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdlib>
+#include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
 
+#include "experiments/builds/builds.h"
 #include "experiments/host/play.h"
 #include "experiments/isolation.h"
 #include "experiments/record/ledger.h"
 #include "experiments/runner/program_files.h"
+#include "experiments/runner/signals.h"
 #include "experiments/schedule/schedule.h"
 #include "sim/console/printable.h"
 
@@ -31,6 +36,14 @@ schedule::Design checked_design(const std::filesystem::path& file) {
   }
   visible_paths(design.visible, file.string() + ": visible =");
   return design;
+}
+
+void build_teams(schedule::Design& design, const std::filesystem::path& result_folder) {
+  builds::prepare(design, result_folder / "builds", std::cerr, [] {
+    return [signals = std::make_shared<runner::Signals>()] {
+      return signals->wait(std::chrono::milliseconds{0});
+    };
+  });
 }
 
 std::filesystem::path usual_folder(const schedule::Design& design) {

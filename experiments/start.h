@@ -13,6 +13,13 @@ namespace commands {
 /// @throws std::invalid_argument in one sentence
 schedule::Design checked_design(const std::filesystem::path& file);
 
+/// Builds the teams that come from git (builds::prepare); HUP, Ctrl-C and TERM end a build with all that it
+/// has started.
+///
+/// @throws std::invalid_argument  in one sentence, when that went wrong
+/// @throws builds::Interrupted    with the signal
+void build_teams(schedule::Design& design, const std::filesystem::path& result_folder);
+
 /// Where its results go if the user does not say: results/<name>.
 std::filesystem::path usual_folder(const schedule::Design& design);
 

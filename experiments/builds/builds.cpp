@@ -2,6 +2,7 @@
 
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -14,6 +15,7 @@
 #include "experiments/builds/file_lock.h"
 #include "experiments/builds/git.h"
 #include "experiments/process/child.h"
+#include "experiments/process/family.h"
 #include "experiments/process/whole_file.h"
 
 namespace builds {
@@ -23,6 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t log_limit = std::size_t{64} << 20;  // [bytes] of a build's log
 constexpr std::chrono::milliseconds grace{2'000};         // between TERM and KILL
+constexpr std::chrono::milliseconds look{100};            // for a signal: at once, for people
 constexpr std::size_t tail_lines = 8;                     // of a log in a message
 constexpr std::size_t tail_bytes = 1'000;
 
@@ -69,20 +72,34 @@ std::string label(const schedule::Source& source, const record::TeamConfig& team
          source.commit.substr(0, 12) + ")";
 }
 
+/// In the environment of everything that a build starts: it is found by it, also in a session of its own.
+constexpr const char* mark = "MATCHDAY_BUILD";
+
+std::string entry_of(const fs::path& checkout) { return std::string(mark) + "=" + checkout.string() + "/"; }
+
 /// Runs the build command; nothing is left of it afterwards.
 void build(const std::string& build_command, const std::string& what, const fs::path& checkout,
-           const fs::path& log, double patience, const std::string& who) {
+           const fs::path& log, double patience, const std::string& who, const Watch& watch) {
+  const auto interruption =
+      watch ? watch() : std::function<std::optional<int>()>([] { return std::nullopt; });
   process::Command command;
   command.arguments = {"/bin/sh", "-c", build_command};
+  command.environment = {{mark, checkout.string() + "/"}};
   command.directory = checkout;
   command.output = log;
   command.output_limit = log_limit;
   std::string problem;
+  std::optional<int> signal;
   {
     process::Child child(command);
     const auto limit =
         std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::duration<double>(patience));
-    const bool ended = child.wait(limit);
+    const auto until = std::chrono::steady_clock::now() + limit;
+    bool ended = false;
+    while (!ended && !signal && std::chrono::steady_clock::now() < until) {
+      ended = child.wait(std::min(look, limit));
+      if (!ended) signal = interruption();
+    }
     const process::Exit exit = child.stop(grace);
     if (!ended) {
       problem = "took longer than " + std::to_string(limit.count() / 1000) + " s (limits.build)";
@@ -90,6 +107,8 @@ void build(const std::string& build_command, const std::string& what, const fs::
       problem = exit.describe();
     }
   }
+  process::end_started_with(entry_of(checkout));
+  if (signal) throw Interrupted(*signal);
   if (problem.empty()) return;
   throw std::invalid_argument(who + ": the build of " + what + " with '" + build_command + "' " + problem +
                               "; " + tail(log) + "; all of it is in " + log.string());
@@ -142,16 +161,20 @@ fs::path with(const fs::path& path, const char* ending) { return path.string() +
 
 /// Makes the build if it is not there; returns whether it was made now.
 bool make(const schedule::Source& source, const std::string& what, const std::string& repository,
-          const fs::path& checkout, double patience, const std::string& who, std::ostream& progress) {
+          const fs::path& checkout, double patience, const std::string& who, std::ostream& progress,
+          const Watch& watch) {
   const FileLock lock(with(checkout, ".lock"),
                       [&] { progress << "waiting for another build of " << what << std::endl; });
   const fs::path finished = with(checkout, ".built");
   if (fs::exists(finished) && fs::exists(checkout)) return false;
   progress << "building " << what << " of " << source.repository << " ..." << std::endl;
   fs::remove(finished);
+  process::end_started_with(entry_of(checkout));  // of a process that was killed in the middle
   check_out(repository, source.commit, checkout, who);
   const auto start = std::chrono::steady_clock::now();
-  if (!source.build.empty()) build(source.build, what, checkout, with(checkout, ".log"), patience, who);
+  if (!source.build.empty()) {
+    build(source.build, what, checkout, with(checkout, ".log"), patience, who, watch);
+  }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::ostringstream stream;
   stream << "repository " << source.repository << "\nrevision " << source.revision << "\ncommit "
@@ -161,6 +184,10 @@ bool make(const schedule::Source& source, const std::string& what, const std::st
 }
 
 }  // namespace
+
+Interrupted::Interrupted(int number)
+    : std::runtime_error("interrupted while a team was built; the same command builds it anew"),
+      signal(number) {}
 
 bool any_source(const schedule::Design& design) {
   for (const schedule::Condition& condition : design.conditions) {
@@ -191,7 +218,8 @@ void find_commits(schedule::Design& design, const fs::path& folder, std::ostream
   if (known.size() > pinned.size()) write_commits(folder, known);
 }
 
-std::vector<Build> prepare(schedule::Design& design, const fs::path& folder, std::ostream& progress) {
+std::vector<Build> prepare(schedule::Design& design, const fs::path& folder, std::ostream& progress,
+                           const Watch& watch) {
   std::vector<Build> builds;
   if (!any_source(design)) return builds;
   find_commits(design, folder, progress);
@@ -201,7 +229,7 @@ std::vector<Build> prepare(schedule::Design& design, const fs::path& folder, std
     const fs::path checkout = absolute / (source.commit + "-" + digits_of(source.build));
     if (!done.contains(checkout)) {
       const bool made = make(source, label(source, team), local(source.repository, folder), checkout,
-                             design.limits.build, who, progress);
+                             design.limits.build, who, progress, watch);
       builds.push_back(
           {team.name, source.repository, source.revision, source.commit, source.build, checkout, made});
       done[checkout] = true;

@@ -5,9 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <sstream>
 
 #include "experiments/builds/git.h"
+#include "experiments/process/family.h"
 #include "tests/experiments/builds/repository.h"
 
 namespace builds {
@@ -127,6 +129,52 @@ TEST_F(BuildsTest, ABuildThatHangsIsEnded) {
   schedule::Design hanging = design("sleep 100");
   hanging.limits.build = 0.3;
   EXPECT_THAT(complaint(hanging), HasSubstr("took longer than 0 s (limits.build); it printed nothing"));
+}
+
+/// A build that never ends, with a child in its group and one in a session of its own.
+const std::string endless =
+    "sleep 300 & setsid sleep 300 & while ! [ -s ../two ]; do pgrep -x -P $$ sleep > ../begun; "
+    "[ $(wc -l < ../begun) = 2 ] && cp ../begun ../two; sleep 0.02; done; wait";
+
+TEST_F(BuildsTest, AnInterruptedBuildEndsWithAllThatItHasStarted) {
+  schedule::Design both = design(endless);
+  std::ostringstream said;
+  int watching = 0;
+  const Watch watch = [&] {
+    ++watching;
+    return [&]() -> std::optional<int> {
+      if (fs::exists(folder_ / "two")) return SIGINT;
+      return std::nullopt;
+    };
+  };
+  try {
+    builds::prepare(both, folder_, said, watch);
+    FAIL() << "the build ended";
+  } catch (const Interrupted& interrupted) {
+    EXPECT_EQ(interrupted.signal, SIGINT);
+  }
+  EXPECT_EQ(watching, 1) << "not while git works, which must end at once";
+  EXPECT_TRUE(fs::exists(folder_ / "two"));
+  EXPECT_TRUE(process::started_with("MATCHDAY_BUILD=" + folder_.string()).empty());
+}
+
+TEST_F(BuildsTest, WhatAKilledProcessLeftOfABuildIsEndedBeforeItIsMadeAnew) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    schedule::Design mine = design(endless);
+    std::ostringstream nowhere;
+    builds::prepare(mine, folder_, nowhere);
+    ::_exit(0);
+  }
+  for (int i = 0; i < 1000 && !fs::exists(folder_ / "two"); ++i) ::usleep(10'000);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  const auto left = [&] { return process::started_with("MATCHDAY_BUILD=" + folder_.string()); };
+  EXPECT_FALSE(left().empty()) << "nobody could end them";
+  schedule::Design again = design(endless);
+  again.limits.build = 0.3;  // [s]
+  EXPECT_THAT(complaint(again), HasSubstr("took longer"));
+  EXPECT_TRUE(left().empty());
 }
 
 TEST_F(BuildsTest, TwoProcessesAtOnceBuildOnce) {
