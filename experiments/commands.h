@@ -130,7 +130,8 @@ int replay(const ReplayOptions& options);
 
 struct VerifyOptions {
   std::filesystem::path folder;
-  int sample = 3;  ///< games to be played again
+  int sample = 3;     ///< games to be played again
+  bool json = false;  ///< all of it as JSON at the end
 };
 /// Whether a result folder is what was written.
 int verify(const VerifyOptions& options);

@@ -23,9 +23,10 @@ using commands::ExitCode;
 constexpr const char* footer = R"(
 Exit codes: 0 done, of a sequential test: A is better; 1 replay: the game went differently; 2 bad input; 3 run: the
 teams cannot play, says the short game before the first one; 4 too many void games, or play: the game ended by a
-fault; 5 trouble with a result folder; 10 sequential test: A is not better; 11 undecided when all games were
-played; 70 a mistake in matchday itself; 74 standard output cannot be written; 129, 130 and 143 interrupted by HUP,
-Ctrl-C and TERM (run: the same command continues); 141 whoever read standard output has gone.)";
+fault, or verify: not everything could be verified; 5 trouble with a result folder, or verify: it is not as written;
+10 sequential test: A is not better; 11 undecided when all games were played; 70 a mistake in matchday itself; 74
+standard output cannot be written; 129, 130 and 143 interrupted by HUP, Ctrl-C and TERM (run: the same command
+continues); 141 whoever read standard output has gone.)";
 constexpr const char* short_footer = "\nExit codes: matchday --help tells them.";
 constexpr const char* design_footer = R"(
 A team loses a game by forfeit when it takes more of its own time, computing or asleep, than the design's [limits]
@@ -231,6 +232,7 @@ void add_verify(CLI::App& main, commands::VerifyOptions& options) {
   app.add_option("--sample", options.sample, "games to be played again, to compare their hashes")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
+  app.add_flag("--json", options.json, "print all findings as JSON");
 }
 
 void add_bench(CLI::App& main, bench::BenchOptions& options, commands::RealismOptions& realism,

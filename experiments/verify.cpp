@@ -1,195 +1,245 @@
 #include <algorithm>
 #include <iostream>
+#include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "experiments/builds/builds.h"
 #include "experiments/commands.h"
-#include "experiments/exit_code.h"
-#include "experiments/experiment.h"
 #include "experiments/isolation.h"
 #include "experiments/one_game.h"
 #include "experiments/record/ledger.h"
 #include "experiments/runner/audit.h"
-#include "experiments/runner/check_files.h"
 #include "experiments/runner/evidence.h"
 #include "experiments/runner/manifest.h"
+#include "experiments/runner/program_files.h"
 #include "experiments/schedule/schedule.h"
-#include "sim/console/printable.h"
+#include "experiments/start.h"
+#include "experiments/verification.h"
 
 namespace commands {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_told = 20;  // lines of one kind of damage
-
-/// The findings, printed as they come; remembers whether any is an alarm.
-class Findings {
+/// A folder that is being verified: what its ledger holds, and what was found.
+class Verifier {
  public:
-  void tell(const std::string& what, const std::string& finding) const {
-    std::cout << what << std::string(what.size() < 14 ? 14 - what.size() : 1, ' ')
-              << console::printable(finding) << std::endl;
+  Verifier(const VerifyOptions& options, std::ostream* out)
+      : folder_(options.folder), out_(out), ledger_(record::Ledger::read(folder_ / "ledger.sqlite")) {
+    all_.folder = folder_.string();
+    all_.wanted = options.sample;
   }
-  void alarm(const std::string& what, const std::string& finding) {
-    alarmed_ = true;
-    tell(what, finding);
+
+  /// @throws the number of a signal that ended a game
+  const Verification& verify() {
+    check_rows();
+    check_manifest();
+    play_sample();
+    if (out_ != nullptr) tell_verdict(all_, *out_);
+    return all_;
   }
-  void alarms(const std::string& what, const std::vector<std::string>& sentences) {
-    for (std::size_t i = 0; i < sentences.size() && i < most_told; ++i) alarm(what, sentences[i]);
-    if (sentences.size() > most_told) {
-      alarm(what, "and " + std::to_string(sentences.size() - most_told) + " more");
-    }
-  }
-  void rows(const std::string& what, const record::RowCheck& check) {
-    std::string text = std::to_string(check.whole) + " as written";
-    if (check.unknown > 0) {
-      text += ", " + std::to_string(check.unknown) + " not known: without a checksum, by an older matchday";
-    }
-    if (!check.damaged.empty()) text += ", DAMAGED " + std::to_string(check.damaged.size());
-    tell(what, text);
-    alarms(what, check.damaged);
-  }
-  bool alarmed() const { return alarmed_; }
 
  private:
-  bool alarmed_ = false;
-};
-
-/// What is the same now as when the folder was made.
-struct Builds {
-  bool matchday = false;  ///< who plays the games
-  bool all = false;       ///< teams too
-};
-
-Builds check_manifest(const fs::path& folder, const std::string& experiment, Findings& findings) {
-  const fs::path file = folder / "manifest.json";
-  Builds builds;
-  if (!fs::exists(file)) {
-    findings.tell("manifest", "there is none; nobody can say which programs played");
-    return builds;
-  }
-  runner::Origin origin;
-  try {
-    origin = runner::read_manifest(file);
-  } catch (const record::StorageError& error) {
-    findings.alarm("manifest", error.what());
-    return builds;
-  }
-  findings.tell("made by", "matchday " + origin.matchday + ", commit " + origin.commit);
-  if (origin.experiment_hash != experiment) {
-    findings.alarm("manifest",
-                   "is of experiment " + origin.experiment_hash + ", the ledger of " + experiment);
-  } else if (origin.identity != experiment) {
-    findings.alarm("manifest", "design, protocol and programs make experiment " + origin.identity + ", not " +
-                                   experiment);
-  } else {
-    findings.tell("manifest", "design, protocol and programs make experiment " + experiment);
-  }
-  builds.all = true;
-  const fs::path self = fs::read_symlink("/proc/self/exe");
-  for (const runner::ProgramFile& one : origin.files) {
-    std::string state = "missing";
+  void check_rows() {
+    rows_ = ledger_.check();
+    const auto add = [&](const char* table, const record::RowCheck& check) {
+      all_.rows.push_back({table, check.whole, check.unknown, check.damaged});
+      if (out_ != nullptr) tell_rows(all_.rows.back(), *out_);
+    };
+    add("experiment", rows_.experiment);
+    add("attempts", rows_.attempts);
+    add("audits", rows_.audits);
+    add("files", rows_.files);
+    const bool all_rows = rows_.files.damaged.empty() && rows_.attempts.damaged.empty();
+    all_.files = runner::check_files(folder_, rows_.readable_files, rows_.readable_attempts, all_rows);
+    if (out_ != nullptr) tell_files(all_, *out_);
+    if (!rows_.experiment.damaged.empty()) return;
+    const record::Experiment experiment = ledger_.experiment();
+    hash_ = experiment.hash;
     try {
-      state = runner::program_file(one.path).hash == one.hash ? "same" : "changed since";
-    } catch (const std::invalid_argument&) {
+      design_ = schedule::parse_design(experiment.design, "its design");
+    } catch (const std::invalid_argument& error) {
+      no_design_ = error.what();
     }
-    builds.all = builds.all && state == "same";
-    builds.matchday = builds.matchday || (state == "same" && one.path == self);
-    findings.tell("program", one.path.string() + ": " + state);
   }
-  return builds;
-}
 
-/// Plays one game again; what follows from it.
-void play_again(const fs::path& folder, const Experiment& experiment, const record::Attempt& attempt,
-                const Builds& builds, Findings& findings) {
-  const std::string id = record::game_id(attempt.key);
-  const auto replies = runner::kept_replies(folder / "games" / id / std::to_string(attempt.attempt));
-  if (!replies && !builds.all) {
-    findings.tell(id, "not played again: its replies were not kept, and a program has changed or is missing");
-    return;
+  void check_manifest() {
+    const fs::path file = folder_ / "manifest.json";
+    all_.manifest = fs::exists(file);
+    try {
+      if (all_.manifest) look_at(runner::read_manifest(file));
+    } catch (const record::StorageError& error) {
+      all_.manifest_problems.emplace_back(error.what());
+    }
+    if (out_ != nullptr) tell_manifest(all_, *out_);
   }
-  record::MatchConfig config = schedule::find_game(experiment.design, id).config;
-  if (replies) config.continuation = record::Continuation{*replies, std::nullopt};
-  host::Options settings;
-  settings.memory_limit = experiment.design.limits.team_memory << 20;
-  if (!replies) {
-    settings.isolation = chosen_isolation(experiment.design.isolation, "isolation =").level;
-    settings.visible = visible_paths(experiment.design.visible, "visible =");
-    settings.hidden = {fs::weakly_canonical(fs::absolute(folder))};
+
+  void look_at(const runner::Origin& origin) {
+    all_.matchday = origin.matchday;
+    all_.commit = origin.commit;
+    all_.experiment = origin.identity;
+    if (!hash_.empty() && origin.experiment_hash != hash_) {
+      all_.manifest_problems.push_back("is of experiment " + origin.experiment_hash + ", the ledger of " +
+                                       hash_);
+    } else if (origin.identity != origin.experiment_hash) {
+      all_.manifest_problems.push_back("design, protocol and programs make experiment " + origin.identity +
+                                       ", not " + origin.experiment_hash);
+    }
+    const fs::path self = fs::read_symlink("/proc/self/exe");
+    for (const runner::ProgramFile& one : origin.files) {
+      std::string state = "missing";
+      try {
+        state = runner::program_file(one.path).hash == one.hash ? "same" : "changed";
+      } catch (const std::invalid_argument&) {
+      }
+      own_build_ = own_build_ || (state == "same" && one.path == self);
+      if (state != "same") others_.push_back(one.path.filename().string() + " " + state);
+      all_.programs.push_back({one.path.string(), state});
+    }
   }
-  const OneGame again = play_one_game(config, nullptr, false, settings);
-  if (again.signal) throw *again.signal;
-  const std::string how = replies ? "from its recorded replies" : "from its seed";
-  if (again.record.hash == attempt.record.hash) {
-    findings.tell(id, "played again " + how + ": the same hash");
-    return;
+
+  /// Why no game can be played from its seed; empty: they can.
+  std::string why_not_from_seed() const {
+    if (!all_.manifest || all_.programs.empty()) return "nobody can say which programs played";
+    if (others_.empty()) return {};
+    constexpr std::size_t most = 3;  // names in a sentence; each program has its own line
+    std::string text = "programs are not those that played (";
+    for (std::size_t i = 0; i < std::min(others_.size(), most); ++i)
+      text += (i == 0 ? "" : ", ") + others_[i];
+    if (others_.size() > most) text += ", and " + std::to_string(others_.size() - most) + " more";
+    return text + ")";
   }
-  std::string told = "played again " + how + ": another hash";
-  if (!again.record.reason.empty()) told += " (" + again.record.reason + ")";
-  const bool unsteady =
-      std::any_of(experiment.audits.begin(), experiment.audits.end(),
-                  [](const record::Audit& audit) { return audit.verdict == record::Verdict::TeamDiffers; });
-  if (!builds.matchday) {
-    findings.tell(id, told + "; matchday is another build than that which played it, so this says nothing");
-  } else if (!replies && unsteady) {
-    findings.tell(id, told + "; a team is not deterministic, say the audits, so this says nothing");
-  } else {
-    findings.alarm(id, told);
+
+  /// Finished games, each by its last attempt; those with the lowest numbers first, whose replies are kept.
+  std::vector<const record::Attempt*> sample() {
+    std::map<record::GameKey, const record::Attempt*> last;
+    for (const record::Attempt& attempt : rows_.readable_attempts) {
+      if (attempt.record.termination != record::Termination::Finished ||
+          attempt.record.at_fault != record::Party::Nobody) {
+        continue;
+      }
+      const record::Attempt*& known = last[attempt.key];
+      if (known == nullptr || known->attempt < attempt.attempt) known = &attempt;
+    }
+    std::vector<std::pair<double, const record::Attempt*>> numbered;
+    for (const auto& [key, attempt] : last)
+      numbered.push_back({runner::sampling_number(hash_, key), attempt});
+    std::stable_sort(numbered.begin(), numbered.end(),
+                     [](const auto& one, const auto& other) { return one.first < other.first; });
+    all_.finished = numbered.size();
+    if (std::cmp_greater(numbered.size(), all_.wanted)) {
+      numbered.resize(static_cast<std::size_t>(all_.wanted));
+    }
+    std::vector<const record::Attempt*> games;
+    for (const auto& [number, attempt] : numbered) games.push_back(attempt);
+    return games;
   }
-}
+
+  void play_sample() {
+    std::string not_from_seed = why_not_from_seed();
+    const std::vector<const record::Attempt*> games = sample();
+    if (design_ && not_from_seed.empty() && !games.empty()) {
+      try {
+        build_teams(*design_, folder_);
+        seed_settings_ = live_settings();
+      } catch (const std::invalid_argument& error) {
+        not_from_seed = error.what();
+      }
+    }
+    for (const record::Attempt* attempt : games) {
+      all_.games.push_back(again(*attempt, not_from_seed));
+      if (out_ != nullptr) tell_game(all_.games.back(), *out_);
+    }
+  }
+
+  host::Options live_settings() const {
+    host::Options settings;
+    settings.isolation = chosen_isolation(design_->isolation, "isolation =").level;
+    settings.visible = visible_paths(design_->visible, "visible =");
+    settings.hidden = {fs::weakly_canonical(fs::absolute(folder_))};
+    return settings;
+  }
+
+  GameAgain again(const record::Attempt& attempt, const std::string& not_from_seed) const {
+    GameAgain game;
+    game.game = record::game_id(attempt.key);
+    game.attempt = attempt.attempt;
+    const auto replies =
+        runner::kept_replies(folder_ / "games" / game.game / std::to_string(attempt.attempt));
+    game.from_replies = replies.has_value();
+    if (!design_) {
+      game.reason = no_design_.empty() ? "the ledger's design is damaged" : no_design_;
+      return game;
+    }
+    if (!replies && !not_from_seed.empty()) {
+      game.reason = "its replies were not kept, and " + not_from_seed;
+      return game;
+    }
+    try {
+      play(attempt, replies, game);
+    } catch (const std::invalid_argument& error) {
+      game.reason = error.what();
+    }
+    return game;
+  }
+
+  /// @throws std::invalid_argument when the design has no such game
+  void play(const record::Attempt& attempt, const std::optional<fs::path>& replies, GameAgain& game) const {
+    record::MatchConfig config = schedule::find_game(*design_, game.game).config;
+    host::Options settings = replies ? host::Options{} : seed_settings_;
+    if (replies) config.continuation = record::Continuation{*replies, std::nullopt};
+    settings.memory_limit = design_->limits.team_memory << 20;
+    set_team_time(design_->limits.team_time, settings);
+    const OneGame played = play_one_game(config, nullptr, false, settings);
+    if (played.signal) throw *played.signal;
+    if (played.record.hash == attempt.record.hash) {
+      game.result = GameAgain::Result::Same;
+      return;
+    }
+    const bool finished = played.record.termination == record::Termination::Finished;
+    game.reason = finished ? "another hash" : "it did not come to its end: " + played.record.reason;
+    const bool unsteady =
+        std::any_of(rows_.readable_audits.begin(), rows_.readable_audits.end(),
+                    [](const record::Audit& audit) { return audit.verdict == record::Verdict::TeamDiffers; });
+    if (!own_build_) {
+      game.reason += ", by another build of matchday than that which played it";
+    } else if (!replies && unsteady) {
+      game.reason += ", and a team is not deterministic, say the audits";
+    } else if (!replies && played.record.at_fault == record::Party::Harness) {
+      game.reason = "it could not be played: " + played.record.reason;
+    } else {
+      game.result = GameAgain::Result::Different;
+    }
+  }
+
+  fs::path folder_;
+  std::ostream* out_;  ///< null: nothing is told
+  record::Ledger ledger_;
+  record::LedgerCheck rows_;
+  std::string hash_;  ///< of the experiment; empty when the ledger cannot say it
+  std::optional<schedule::Design> design_;
+  std::string no_design_;  ///< why it cannot be read
+  host::Options seed_settings_;
+  bool own_build_ = false;           ///< this program played the games
+  std::vector<std::string> others_;  ///< programs that are not what they were
+  Verification all_;
+};
 
 }  // namespace
 
 int verify(const VerifyOptions& options) {
-  const fs::path file = options.folder / "ledger.sqlite";
-  Findings findings;
-  const record::Ledger ledger = record::Ledger::read(file);
-  const record::LedgerCheck rows = ledger.check();
-  findings.rows("experiment", rows.experiment);
-  findings.rows("attempts", rows.attempts);
-  findings.rows("audits", rows.audits);
-  findings.rows("files' rows", rows.files);
-  if (findings.alarmed()) {
-    findings.tell("verdict", "DAMAGED; files, programs and games are not looked at with such a ledger");
-    return storage;
-  }
-  Experiment experiment = read_experiment(options.folder);
-  const runner::FileCheck files = runner::check_files(options.folder, ledger.files(), experiment.attempts);
-  findings.tell("files", std::to_string(files.whole) + " as written, " + std::to_string(files.unknown) +
-                             " not known (unfinished games, or an older matchday)");
-  findings.alarms("files", files.problems);
-  const Builds builds = check_manifest(options.folder, experiment.hash, findings);
-
-  std::vector<const record::Attempt*> finished;
-  for (const record::Attempt& attempt : experiment.attempts) {
-    if (attempt.record.termination == record::Termination::Finished &&
-        attempt.record.at_fault == record::Party::Nobody) {
-      finished.push_back(&attempt);
-    }
-  }
-  // The games with the lowest numbers are those whose replies are kept.
-  std::stable_sort(finished.begin(), finished.end(), [&](const auto* one, const auto* other) {
-    return runner::sampling_number(experiment.hash, one->key) <
-           runner::sampling_number(experiment.hash, other->key);
-  });
-  if (std::cmp_greater(finished.size(), options.sample)) {
-    finished.resize(static_cast<std::size_t>(options.sample));
-  }
-  if (builds.all) builds::prepare(experiment.design, options.folder / "builds", std::cerr);
+  check_temporary_folder(Games::Here);
+  Verifier verifier(options, options.json ? nullptr : &std::cout);
   try {
-    for (const record::Attempt* attempt : finished) {
-      play_again(options.folder, experiment, *attempt, builds, findings);
-    }
+    const Verification& all = verifier.verify();
+    if (options.json) std::cout << to_json(all) << std::flush;
+    return exit_code(all);
   } catch (const int signal) {
     return signal_base + signal;
   }
-  findings.tell("verdict",
-                findings.alarmed() ? "NOT what was written" : "all that is known is what was written");
-  return findings.alarmed() ? storage : done;
 }
 
 }  // namespace commands

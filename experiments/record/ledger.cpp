@@ -249,10 +249,13 @@ LedgerCheck Ledger::check() const {
     // Without its own table the rest is compared as far as it goes.
     const bool known = state == RowState::Whole;
     const auto old = [&](const char* key) { return known ? number_in(pairs, key) : any_number; };
-    const std::int64_t found = look("attempts", attempt_order, old(old_attempts_key), check.attempts,
-                                    [](const Row& row) { attempt_of(row, Detail::WithoutTimeline); });
-    look("audits", attempt_order, old(old_audits_key), check.audits, audit_of);
-    look("files", "path", 0, check.files, file_of);
+    const std::int64_t found = look(
+        "attempts", attempt_order, old(old_attempts_key), check.attempts,
+        [&](const Row& row) { check.readable_attempts.push_back(attempt_of(row, Detail::WithoutTimeline)); });
+    look("audits", attempt_order, old(old_audits_key), check.audits,
+         [&](const Row& row) { check.readable_audits.push_back(audit_of(row)); });
+    look("files", "path", 0, check.files,
+         [&](const Row& row) { check.readable_files.push_back(file_of(row)); });
     if (known && found != number_in(pairs, attempts_key)) {
       check.attempts.damaged.push_back(rows_missing(found, number_in(pairs, attempts_key)));
     }

@@ -58,6 +58,10 @@ struct LedgerCheck {
   RowCheck audits;
   RowCheck files;
   RowCheck experiment;
+  // What the rows that are not damaged hold; attempts without their timelines.
+  std::vector<Attempt> readable_attempts;
+  std::vector<Audit> readable_audits;
+  std::vector<KeptFile> readable_files;
 };
 
 /// All attempts of an experiment in one SQLite file: the only state of a run.

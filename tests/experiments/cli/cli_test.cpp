@@ -1,72 +1,21 @@
 // The program as its user has it: what it prints and the code it ends with.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
-#include "experiments/process/filter.h"
+#include "tests/experiments/cli/matchday_program.h"
 #include "tests/fakes/programs.h"
 
 namespace {
 
-namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
-
-struct Said {
-  int code = -1;
-  std::string text;  ///< standard output and error
-};
-
-class MatchdayProgram : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "cli-test-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  Said matchday(const std::string& arguments) const { return shell("\"$BIN\"/matchday " + arguments); }
-
-  /// A line for the shell in our folder; $BIN is the folder of the programs.
-  Said shell(const std::string& line) const {
-    const std::string with_code = "(" + line + "); code=$?; printf '%03d' $code";
-    std::string text = process::filter({.arguments = {"/bin/sh", "-c", with_code},
-                                        .directory = folder_,
-                                        .environment = {{"BIN", fakes::bin_dir()}},
-                                        .patience = std::chrono::seconds{300},
-                                        .errors_too = true})
-                           .output;
-    Said said;
-    constexpr std::size_t digits = 3;
-    if (text.size() < digits) return said;
-    said.code = std::stoi(text.substr(text.size() - digits));
-    said.text = text.substr(0, text.size() - digits);
-    return said;
-  }
-
-  /// A design of eight quick games; `more` goes to the top of it.
-  void write_design(const std::string& name, const std::string& more = "") const {
-    std::ofstream(folder_ / name)
-        << "name = \"small\"\n"
-        << more << "pairs = 2\n[teams.a]\ncommand = \"true\"\n[teams.b]\ncommand = \"true\"\n"
-        << "[[conditions]]\nname = \"one\"\n[[conditions]]\nname = \"two\"\n";
-  }
-
-  static std::string fake(const std::string& arguments = "") {
-    return " --worker '" + fakes::bin_dir() + "/fake_worker " + arguments + "'";
-  }
-
-  fs::path folder_;
-};
 
 TEST_F(MatchdayProgram, TellsItsVersionAndExitCodes) {
   EXPECT_THAT(matchday("--version").text, StartsWith("matchday 0."));
@@ -509,20 +458,6 @@ TEST_F(MatchdayProgram, ARunRecordsTheIsolationAndHidesItsFolder) {
   EXPECT_THAT(seen, HasSubstr("games/base-0000-0/1/blue:")) << said.text;
   for (const char* hidden : {"ledger", "job.json", "manifest", "yellow"})
     EXPECT_THAT(seen, Not(HasSubstr(hidden)));
-}
-
-TEST_F(MatchdayProgram, VerifySaysWhetherAFolderIsWhatWasWritten) {
-  write_design("good.toml");
-  ASSERT_EQ(matchday("run good.toml --out r --no-preflight" + fake()).code, 0);
-  const Said good = matchday("verify r --sample 0");
-  EXPECT_EQ(good.code, 0) << good.text;
-  EXPECT_THAT(good.text, AllOf(HasSubstr("attempts      8 as written\n"), HasSubstr("fake_worker: same"),
-                               HasSubstr("all that is known is what was written")));
-  std::ofstream(folder_ / "r/manifest.json", std::ios::app) << "x";
-  const Said bad = matchday("verify r --sample 0");
-  EXPECT_EQ(bad.code, 5);
-  EXPECT_THAT(bad.text, AllOf(HasSubstr("manifest.json has"), HasSubstr("NOT what was written")));
-  EXPECT_EQ(matchday("verify nowhere").code, 5);
 }
 
 TEST_F(MatchdayProgram, PlayOfATeamThatDoesNotConnectIsAForfeitWithItsReason) {
