@@ -19,15 +19,42 @@ bool names(const fs::path& file, const std::string& hash) {
   return text.find(hash) != std::string::npos;
 }
 
-/// Written when the folder is made and left alone afterwards; the ledger knows its checksum.
+/// The level that a manifest names, if it can be read: `matchday verify` tells of one that cannot.
+std::string level_in(const fs::path& manifest) {
+  if (!fs::exists(manifest)) return {};
+  try {
+    return level_of(read_manifest(manifest).isolation);
+  } catch (const record::StorageError&) {
+    return {};
+  }
+}
+
+/// Whether the manifest there is of another level, which is no harm as long as there are no games.
+///
+/// Games of teams that saw more of the machine and of teams that saw less are no one experiment, and the
+/// manifest can name one level only.
+bool other_isolation(const fs::path& file, const record::Ledger& ledger, const Manifest& manifest) {
+  const std::string before = level_in(file);
+  const std::string now = level_of(manifest.isolation);
+  if (before.empty() || now.empty() || before == now) return false;
+  if (ledger.attempts(record::Detail::WithoutTimeline).empty()) return true;
+  throw record::FolderTaken(file.string() + ": the games of this folder were played with isolation " +
+                            before + ", now it would be " +
+                            manifest.isolation.substr(manifest.isolation.find(now)) +
+                            "; write isolation = \"" + before + "\" in the design (compare: --isolation " +
+                            before + "), or give another --out");
+}
+
+/// Written when the folder is made and left alone once there are games; the ledger knows its checksum.
 void keep_manifest(const ResultFolder& folder, record::Ledger& ledger, const Manifest& manifest) {
   const fs::path file = folder.manifest();
   const std::string name = file.filename().string();
+  const bool other = other_isolation(file, ledger, manifest);
   for (const record::KeptFile& known : ledger.files()) {
-    if (known.path == name && fs::exists(file)) return;
+    if (!other && known.path == name && fs::exists(file)) return;
   }
   // One that a killed run did not come to write down, or of an older ledger, is taken as it is.
-  if (!names(file, manifest.experiment_hash)) write_manifest(file, manifest);
+  if (other || !names(file, manifest.experiment_hash)) write_manifest(file, manifest);
   ledger.add(
       record::KeptFile{name, static_cast<std::int64_t>(fs::file_size(file)), record::checksum_of_file(file)});
 }
@@ -44,6 +71,10 @@ std::optional<record::Ledger> open_ledger(const ResultFolder& folder, const Mani
   for (bool told = false;; told = true) {
     try {
       if (!grown) {
+        other_isolation(
+            folder.manifest(),
+            record::Ledger::open(folder.ledger(), {*opening.before, manifest.design.text}, journal),
+            manifest);
         record::Ledger::grow(folder.ledger(), *opening.before, experiment,
                              folder.manifest().filename().string(), journal);
       }

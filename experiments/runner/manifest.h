@@ -17,7 +17,8 @@ struct Manifest {
   std::string version;                    ///< of matchday
   std::string protocol;                   ///< of the channel between host and team
   std::vector<std::string> command_line;  ///< that made the folder
-  std::string isolation;                  ///< of the teams, in words: its level, and why it is not more
+  std::string isolation;                  ///< of the teams, in words: its level, and why it is not more.
+                                          ///< Every run in the folder has that level
 };
 
 /// Writes the manifest with compiler, processor, date and, inside a git checkout, the commit.
@@ -34,7 +35,11 @@ struct Origin {
   std::vector<ProgramFile> files;
   std::string matchday;
   std::string commit;
+  std::string isolation;  ///< of the teams, in words; empty in very old ones
 };
+
+/// The level in a sentence about isolation: "network" of "isolation network, as asked for".
+std::string level_of(const std::string& isolation);
 
 /// @throws record::StorageError when it cannot be read or is none
 Origin read_manifest(const std::filesystem::path& file);

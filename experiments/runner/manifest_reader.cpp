@@ -24,6 +24,12 @@ std::string design_line(const std::string& text) {
 
 }  // namespace
 
+std::string level_of(const std::string& isolation) {
+  const std::string key = "isolation ";
+  if (!isolation.starts_with(key)) return {};
+  return isolation.substr(key.size(), isolation.find(',') - key.size());
+}
+
 Origin read_manifest(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string text(longest + 1, '\0');
@@ -41,6 +47,7 @@ Origin read_manifest(const std::filesystem::path& file) {
     json.at("matchday").get_to(origin.matchday);
     json.at("commit").get_to(origin.commit);
     json.at("protocol").get_to(protocol);
+    if (json.contains("isolation")) json.at("isolation").get_to(origin.isolation);
     for (const auto& one : json.at("files")) {
       origin.files.push_back({one.at("path").get<std::string>(), one.at("xxh3_128").get<std::string>()});
     }

@@ -460,6 +460,20 @@ TEST_F(MatchdayProgram, ARunRecordsTheIsolationAndHidesItsFolder) {
     EXPECT_THAT(seen, Not(HasSubstr(hidden)));
 }
 
+TEST_F(MatchdayProgram, AFolderGoesOnWithTheIsolationItBeganWithOnly) {
+  write_design("none.toml", "isolation = \"none\"\n");
+  write_design("files.toml", "isolation = \"files\"\n");
+  const Said first = matchday("run none.toml --out r --no-preflight" + fake());
+  ASSERT_EQ(first.code, 0) << first.text;
+  const Said other = matchday("run files.toml --out r --no-preflight" + fake());
+  if (other.code == 2) GTEST_SKIP() << other.text;  // a machine that allows no isolation
+  EXPECT_EQ(other.code, 5);
+  EXPECT_THAT(other.text,
+              HasSubstr("were played with isolation none, now it would be files, as asked for; write "
+                        "isolation = \"none\" in the design (compare: --isolation none)"));
+  EXPECT_EQ(matchday("run none.toml --out r --no-preflight" + fake()).code, 0);
+}
+
 TEST_F(MatchdayProgram, PlayOfATeamThatDoesNotConnectIsAForfeitWithItsReason) {
   const Said said = matchday("play --blue true --yellow true --half-length 10");
   EXPECT_EQ(said.code, 4);
