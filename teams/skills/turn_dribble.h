@@ -19,7 +19,7 @@ struct TurnCircle {
 /// The fastest circle on which the ball stays at the dribbler, for turns at `rate` [rad/s]: phi(rate) and its
 /// radius by a table, measured in our simulator.
 ///
-/// Source  `turn_study` (tests/teams/support), table in README; form: reference "football", 2.10
+/// Source  `turn_study` (tests/teams/support), see README; form: reference "football", 2.10
 TurnCircle turn_circle(double rate);
 
 /// The fastest rate of that table [rad/s].

@@ -67,7 +67,7 @@ std::optional<world::RobotId> robot(const std::optional<world::Touch>& touch) {
 
 TEST(LastToucher, IsRightAboutBallsThatHitOrMiss) {
   // From full hits (-60 mm) to misses by 40 mm, 1 to 6 m/s, both colours, both sides. Grazes are hard: the
-  // bound is 9 of 10, what was found is printed for the README.
+  // bound is 9 of 10; what was found is printed for the notes (results/published/2026-11-22-tuning).
   int right = 0;
   int all = 0;
   std::uint64_t seed = 1;

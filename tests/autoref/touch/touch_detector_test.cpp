@@ -200,7 +200,8 @@ TEST(TouchDetector, WithoutAlgorithmsSeesNothing) {
   EXPECT_TRUE(touches(carry(), 1, none).empty());
 }
 
-// How often each algorithm finds a kick or a deflection, printed for the README; together they must find all.
+// How often each algorithm finds a kick or a deflection, printed for the notes of the folder
+// (results/published/2026-11-22-tuning); together they must find all.
 TEST(TouchDetector, FindsEveryKickAndDeflection) {
   const std::vector<std::pair<const char*, TouchAlgorithms>> kinds = {{"accel", only_accel},
                                                                       {"line", only_line},
@@ -235,8 +236,8 @@ TEST(TouchDetector, FindsEveryKickAndDeflection) {
 }
 
 TEST(TouchDetector, MeasuresOfFalseTouches) {
-  // 100 balls each past a robot at several gaps. Printed for the README; the bound is the brief's "rarely":
-  // at most 2 of 100 when the hull is 0.15 m away, where nothing but `line` can speak at all.
+  // 100 balls each past a robot at several gaps, printed for the same notes. False touches must be rare: at
+  // most 2 of 100 when the hull is 0.15 m away, where only `line` can report one.
   const std::vector<std::pair<const char*, TouchAlgorithms>> kinds = {
       {"accel", only_accel}, {"line", only_line}, {"backtrack", only_backtrack}, {"reach", only_reach}};
   for (const auto& [name, algorithms] : kinds) {

@@ -136,8 +136,8 @@ Table play(const char* preset, std::uint64_t seed, double half) {
   return table;
 }
 
-// Bounds are half again what was measured (README), so that a change for the worse shows. How far a hidden
-// ball is off depends on the few long hidings of a game, hence the middle of three games.
+// Bounds are half again what was measured (README, Measured), so that a change for the worse shows. How far
+// a hidden ball is off depends on the few long hidings of a game, hence the middle of three games.
 TEST(Situations, ErrorsAgainstTruthWithMeasuredSensors) {
   std::array<double, 3> hidden{};
   for (std::size_t game = 0; game < hidden.size(); ++game) {

@@ -319,7 +319,7 @@ TEST(Engine, AnotherSeedGivesAnotherGame) {
 }
 
 // Printed, to be compared between presets (dev, asan, release) by eye: rounding may differ with the
-// optimiser, and then a crowd of bodies soon does. The numbers are in the README.
+// optimiser, and then a crowd of bodies soon does (sim/README.md, Builds).
 TEST(Engine, SameSeedAndCommandsGiveTheSameBits) {
   for (const char* realism : {"none", "measured", "harsh"}) {
     const std::uint64_t hash = hash_of_passage(realism, 11, 600);
