@@ -19,9 +19,9 @@ class Logs(Row):
     name = "logs"
     what = "damaged logs and recordings into ssl-autoref replay and calibrate, matchday continue, judge --again; amplifiers; pipes and devices"
     checks = "an exit code and one sentence of its own, within a minute and 384 MiB; damaged files are bad input (2)"
-    tries = 1455
+    tries = 1100
     least = 20
-    seconds = 420
+    seconds = 450
 
     def prepare(self):
         place = self.arena.place("games")
