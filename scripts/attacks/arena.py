@@ -19,8 +19,9 @@ QUOTED = 1 << 20  # [byte] of an output that are read
 # Words of a program that was surprised, instead of a sentence of its own.
 SURPRISE = re.compile(r"terminate called|Assertion|internal error|what\(\):|Traceback|basic_string|vector::|std::|Sanitizer"
                       r"|stoi|stod|stoul|bad_alloc|map::at|type_error|Unexpected|SEGV")
-# Control characters but line feed and tab, and their 8-bit twins in UTF-8.
-RAW = re.compile(rb"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]")
+# Control characters but line feed and tab, their 8-bit twins in UTF-8, and what turns the direction of text (U+202A to
+# U+202E, U+2066 to U+2069).
+RAW = re.compile(rb"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]|\xe2\x80[\xaa-\xae]|\xe2\x81[\xa6-\xa9]")
 
 
 @dataclasses.dataclass

@@ -36,6 +36,8 @@ class Folders(Row):
         self.verifies = re.search(rb"^ +verify ", helped.out, re.M) is not None
         if not self.verifies:
             self.notes.append("there is no matchday verify yet")
+        elif self.arena.run(self.arena.matchday, "verify", self.night.folder, addresses=0).code != 0:
+            raise RuntimeError("verify finds something in an undisturbed folder")
         self.told = self.asked = 0
 
     def attempt(self, number, dice):
@@ -136,7 +138,7 @@ class Folders(Row):
     def refused(self, codes, *words):
         """The command ends soon, with one of these codes."""
         ended = self.arena.run(self.arena.matchday, *words, limit=PROMPT, addresses=0)
-        return tools.answer(ended, codes=codes)
+        return tools.answer(ended, codes=codes, sentence=words[0] != "verify")  # that one tells what it finds
 
     def odd_design(self, _folder, kind):
         file, out = self.arena.folder / "odd.toml", self.arena.folder / "of-odd"
@@ -170,7 +172,7 @@ class Folders(Row):
     def odd_manifest(self, folder, kind):
         for name in ("manifest.json", "status.json"):
             damage.odd_file(folder / name, kind)
-        return self.refused((5,), "verify", folder) + self.refused((0, 2, 5), "report", folder, "--html")
+        return self.refused((4, 5), "verify", folder) + self.refused((0, 2, 5), "report", folder, "--html")
 
     # --- the commands
 
@@ -204,9 +206,10 @@ class Folders(Row):
             verified = self.arena.run(matchday, "verify", folder, addresses=0, limit=120)
             wrong += tools.answer(verified, sentence=False)
             self.asked += meant
-            if meant and verified.code == 0:
-                wrong.append("verify finds nothing")
-            self.told += meant and verified.code != 0
+            if meant and verified.code not in (2, 5):
+                wrong.append(f"verify finds nothing: code {verified.code}")
+            self.told += meant and verified.code in (2, 5)
+            self.notes = [f"verify noticed {self.told} of {self.asked} damages that change what a report says"]
         if dice.random() < ROUND:
             ended = self.arena.run(matchday, "run", self.night.file, "--out", folder, "--no-preflight", "--workers", "2", addresses=0,
                                    limit=120)
