@@ -11,8 +11,8 @@ struct CalibrateOptions {
   bool json = false;
 };
 
-/// Measures a league log, prints what was found as a table and writes it as a realism preset, whole or not at
-/// all.
+/// Measures a league log, prints what was found as a table and writes it as a realism
+/// preset, whole or not at all.
 ///
 /// @return 0; 2 when the log is damaged, cut short or without geometry: what could be found is printed and
 /// written, one sentence is on `errors`

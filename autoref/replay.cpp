@@ -186,9 +186,9 @@ referee::Setup setup_of(const Survey& survey, const ReplayOptions& options) {
   return setup;
 }
 
-// Teams' wishes are not in a log, but their effects are: a new keeper, a time-out begun or ended. The message
-// of a tick is read before the tick's batch is complete, so they are heard in the tick in which they were
-// granted.
+// Teams' wishes are not in a log, but their effects are: a new keeper, a time-out begun or ended.
+// The message of a tick is read before the tick's batch is complete, so they are heard in the tick in
+// which they were granted.
 void repeat_requests(const world::RefereeMessage& message, referee::Referee& referee) {
   for (const Team team : world::both_teams) referee.set_keeper(team, message.teams[team].keeper);
   const bool timeout = message.command.kind == CommandKind::Timeout;

@@ -22,9 +22,9 @@ struct Sighting {
 
 /// Tracker, touch and detectors behind a foreign referee: the state follows its messages, nothing is decided.
 ///
-/// READY, DIRECT and INDIRECT mean SETUP until a kick is seen; a message that was older than the time for a
-/// kick when the log began means that the ball has been in play. Modern commands are read as wire::decode
-/// does.
+/// READY, DIRECT and INDIRECT mean SETUP until a kick is seen; a message that was older
+/// than the time for a kick when the log began means that the ball has been in play.
+/// Modern commands are read as wire::decode does.
 class Watcher {
  public:
   Watcher(const world::RuleSet& rules, const world::Geometry& geometry);

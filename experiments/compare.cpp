@@ -124,8 +124,8 @@ void write_design(const fs::path& file, const std::string& text) {
   process::write_whole(file, text);
 }
 
-/// Throws away what a run left that came to no game. Holds the folder meanwhile: perhaps a run is at its
-/// first.
+/// Throws away what a run left that came to no game. Holds the folder meanwhile:
+/// perhaps a run is at its first.
 void forget_run(const fs::path& folder) {
   const runner::ResultFolder held(folder);
   for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(held.ledger().string() + suffix);

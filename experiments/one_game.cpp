@@ -27,8 +27,8 @@ OneGame play_one_game(const record::MatchConfig& config, std::ostream* calls, bo
   options.interrupted = [&, calls, also = options.interrupted] {
     if (also && also()) return true;
     if (!game.signal) game.signal = signals.wait(std::chrono::milliseconds{0});
-    // Whoever read the calls has gone or the disk is full: without a file to be written, nobody wants the
-    // rest.
+    // Whoever read the calls has gone or the disk is full: without a file to be written,
+    // nobody wants the rest.
     const bool told = calls == nullptr || calls->good() || config.log || config.recording;
     return game.signal.has_value() || !told;
   };

@@ -13,8 +13,8 @@ namespace commands {
 /// @throws std::invalid_argument in one sentence
 schedule::Design checked_design(const std::filesystem::path& file);
 
-/// Builds the teams that come from git (builds::prepare); HUP, Ctrl-C and TERM end a build with all that it
-/// has started.
+/// Builds the teams that come from git (builds::prepare); HUP, Ctrl-C and TERM end a build with
+/// all that it has started.
 ///
 /// @throws std::invalid_argument  in one sentence, when that went wrong
 /// @throws builds::Interrupted    with the signal

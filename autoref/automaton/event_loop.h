@@ -24,9 +24,8 @@ class EventLoop {
   static constexpr int cap = 64;
 
   /// @tparam Row  has a member `awaits_occurrence`
-  /// @param holds  bool(const Row&, const Occurrence*): whether the row can be taken now, with this
-  /// occurrence; null
-  ///               for rows that await none
+  /// @param holds  bool(const Row&, const Occurrence*): whether the row can be taken now,
+  ///               with this occurrence; null for rows that await none
   /// @param take   void(const Row&, const Occurrence*): the row's effect
   template <class Row, class Occurrence, class Holds, class Take>
   Result run(std::span<const Row> rows, std::span<const Occurrence> occurrences, Holds&& holds, Take&& take) {

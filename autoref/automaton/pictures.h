@@ -8,8 +8,8 @@ namespace automaton {
 
 // What `scripts/draw_automaton.py` and `scripts/draw_positions.py` draw, as JSON.
 
-/// The locations, and every row in table order: name, from, to, condition in words, whether it sends a
-/// command.
+/// The locations, and every row in table order: name, from, to, condition in words,
+/// whether it sends a command.
 std::string table_json();
 
 /// The field, and for points of a grid over it (0.25 m apart, and a little beyond the lines) where the ball

@@ -6,8 +6,8 @@
 
 namespace calibrate {
 
-/// Decelerations of a sliding and a rolling ball, the share of its speed at which rolling begins, the fastest
-/// kick.
+/// Decelerations of a sliding and a rolling ball, the share of its speed at which rolling
+/// begins, the fastest kick.
 ///
 /// Takes each track of the ball apart where it is within 0.15 m of a robot, is slower than 0.2 m/s, was not
 /// seen for 0.1 s or jumps in speed, and fits each piece of 0.25 s or more (`fit_ball`). Pieces that leave

@@ -27,9 +27,8 @@ struct Track {
   double end() const { return sightings.back().time; }
 };
 
-/// How far an object may be from where its motion would have brought it in a time t: slack +
-/// min(speed t, reach) + drift t. Its motion goes on for `inertia`; unseen for `patience` its track has
-/// ended.
+/// How far an object may be from where its motion would have brought it in a time t: slack + min(speed t,
+/// reach) + drift t. Its motion goes on for `inertia`; unseen for `patience` its track has ended.
 struct Gate {
   double slack;     ///< [m]
   double speed;     ///< [m/s]
@@ -41,8 +40,8 @@ struct Gate {
 inline constexpr Gate ball_gate{0.05, 10, 0.5, 0.5, 2, 4};  // kicks up to 10 m/s; rolls on when unseen
 inline constexpr Gate robot_gate{0.05, 5, 0.5, 0.5, 0.2, 4};
 
-/// Mean velocity [m/s] in the 0.1 s up to sighting number `i` of the track; zero when nothing else was seen
-/// then.
+/// Mean velocity [m/s] in the 0.1 s up to sighting number `i` of the track;
+/// zero when nothing else was seen then.
 world::Vector2d velocity_before(const Track& track, std::size_t i);
 
 /// Makes tracks of the sightings of one kind of object in one camera, nearest first.

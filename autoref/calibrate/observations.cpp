@@ -13,8 +13,8 @@ using world::Vector2d;
 
 constexpr double edge = 0.15;  // [m] of a camera's view: a robot's radius and a little
 
-// A number is a robot's when it was once seen for about a second without much interruption; misreadings are
-// not.
+// A number is a robot's when it was once seen for about a second without much
+// interruption; misreadings are not.
 constexpr std::size_t images_of_a_robot = 50;
 constexpr double least_density = 0.2;
 

@@ -6,8 +6,8 @@
 
 namespace calibrate {
 
-/// The fastest and hardest that robots moved: speed, speeding up and braking, forward and sideways, and of
-/// turning.
+/// The fastest and hardest that robots moved: speed, speeding up and braking, forward and
+/// sideways, and of turning.
 ///
 /// Least squares of parabolas over 0.2 s (0.1 s for turning); those with residuals above 3 sigma are left out
 /// (collisions, switches of command). Speeds are 99.9 % quantiles, accelerations 99 %, of what moved at all,

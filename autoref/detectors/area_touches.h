@@ -18,9 +18,9 @@ namespace detectors {
 ///          since the goalie stands beside a defender that offends.
 /// Pressed  between two robots for two frames: hulls within 10 mm of the ball on opposite sides of it. Where
 ///          between them it is, nobody sees; but so narrow a gap leaves it no room that touches only one.
-/// Source  ours. A ball hidden for more than 0.6 s may be carried by anyone. 10 mm are twice the error of a
-///         hidden ball at a hull; the contact is dated to when the hull came within 20 mm, 0.3 s back at
-///         most.
+/// Source  ours. A ball hidden for more than 0.6 s may be carried by anyone.
+///         10 mm are twice the error of a hidden ball at a hull; the contact is dated to when the hull came
+///         within 20 mm, 0.3 s back at most.
 class AreaTouches {
  public:
   struct One {

@@ -38,8 +38,8 @@ bool carries(const world::Field& field, const world::TrackedRobot& robot, const 
 const world::TrackedRobot* nearest_robot(const world::TrackedFrame& frame, const world::Vector2d& point,
                                          std::optional<world::Team> team = std::nullopt);
 
-/// The robot whose centre is farthest over the halfway line on the opponents' side; nothing when all are at
-/// home.
+/// The robot whose centre is farthest over the halfway line on the opponents' side;
+/// nothing when all are at home.
 ///
 /// The centre, not the hull: the kicker stands at the ball, on the line (ours).
 std::optional<world::RobotId> robot_in_wrong_half(const world::TrackedFrame& frame,

@@ -8,8 +8,8 @@
 namespace detectors {
 namespace {
 
-// A touch so soon after the ball left the ground is the kick itself (ours: touches are dated to a few
-// frames).
+// A touch so soon after the ball left the ground is the kick itself (ours:
+// touches are dated to a few frames).
 constexpr world::Duration of_the_kick = std::chrono::milliseconds{100};
 
 // A flat kick of 6 m/s is taken for a chip for a frame or two, with 0.5 to 0.92; a chip passes this within

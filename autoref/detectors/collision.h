@@ -11,8 +11,7 @@ namespace detectors {
 /// BOT_CRASH_UNIQUE, BOT_CRASH_DRAWN: two robots of different teams ran into each other.
 ///
 /// Rule    laws of 2015, Law 12: substantial contact, a direct free kick; a penalty in the offender's own
-/// area
-///         (the automaton's business). Decision 1: at similar speeds play goes on (drawn).
+///         area (the automaton's business). Decision 1: at similar speeds play goes on (drawn).
 /// Guard   closing speed along the line between the centres when the hulls touch - crash_speed  [m/s], from
 ///         the last frame before the robots are within a tenth of contact, crash_braking taken off. Robots
 ///         that would pass each other are none, nor are those whose places of the last 0.07 s do not show at

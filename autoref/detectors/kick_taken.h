@@ -10,20 +10,18 @@ namespace detectors {
 
 /// The restart's kick was taken, with the offences of that moment.
 ///
-/// Rule    laws of 2015, Laws 8, 9, 13, 15 to 17: the ball is in play when it is kicked and moves; opponents
-/// are then
-///         at least 0.5 m from it, the kicker's team-mates 0.2 m from the opponents' defense area, and at a
-///         kickoff everyone is in its own half.
+/// Rule    laws of 2015, Laws 8, 9, 13, 15 to 17: the ball is in play when it is kicked and moves;
+///         opponents are then at least 0.5 m from it, the kicker's team-mates 0.2 m from the opponents'
+///         defense area, and at a kickoff everyone is in its own half.
 /// Guard   |ball - place| - kick_travel  [m], or speed - 0.4 m/s in two observed frames, 20 mm away in the
 ///         second and farther than in the first; the earlier of the two (reference "requirements", 1.10; the
 ///         distances and the second frame are ours, against hiccups of the filter).
 /// Again   (Law 12, cautions 3 and 5: free kicks, goal kicks and corner kicks) when an opponent was near at
-/// the
-///         last attempt too, of the same team from within 0.1 m.
-/// Blames  the nearest robot of the team that may kick (I-34); a kick by an opponent shows as an opponent
-/// near the
-///         ball. Distances are measured to where the ball lay: a wall is not near because the ball flew at
-///         it. 20 mm of tolerance for the opponents, as TIGERs' autoref (reference "protocol", 6.4).
+///         the last attempt too, of the same team from within 0.1 m.
+/// Blames  the nearest robot of the team that may kick (I-34); a kick by an opponent shows
+///         as an opponent near the ball. Distances are measured to where the ball lay:
+///         a wall is not near because the ball flew at it. 20 mm of tolerance for the opponents,
+///         as TIGERs' autoref (reference "protocol", 6.4).
 class KickTaken final : public Detector {
  public:
   explicit KickTaken(const world::RuleSet& rules)

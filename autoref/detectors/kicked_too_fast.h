@@ -17,8 +17,7 @@ namespace detectors {
 ///         agreeing. So a little too fast takes longer to see than much too fast, and a ball that jumps
 ///         between cameras gets nowhere.
 /// Blames  the last toucher, when it touched the ball at most 0.1 s before it sped up; otherwise the robot
-/// that was
-///         nearest when the ball sped up (ours); who took the kick when play began with it.
+///         that was nearest when the ball sped up (ours); who took the kick when play began with it.
 /// Resets  when the ball is slow again.
 /// Source  ours. a = 3 m/s^2 (reference "football", 5); no step beyond 12 m/s is a ball's (TIGERs' cap).
 class KickedTooFast final : public Detector {

@@ -10,9 +10,8 @@ namespace detectors {
 
 /// NO_PROGRESS_IN_GAME: the ball is stuck.
 ///
-/// Rule    Law 5 of 2015 leaves it to the referee; the limits are those of the authors' code: less than 0.25
-/// m
-///         in each second, for 12 s.
+/// Rule    Law 5 of 2015 leaves it to the referee; the limits are those of the authors' code:
+///         less than 0.25 m in each second, for 12 s.
 /// Guard   time since progress - stuck_time  [s]. Progress is 0.25 m away from where the ball was at most one
 ///         second before. A ball that nobody sees makes none, unless a robot has it at its dribbler; a ball
 ///         that a goalie holds in its area is KEEPER_HELD_BALL's, where that rule runs.

@@ -9,9 +9,9 @@ namespace detectors {
 
 /// A robot stayed outside the field's boundary in play.
 ///
-/// Rule    laws of 2015, Law 1, Law 5 decision 5 and Law 12 caution 7: beyond 0.25 m outside the lines is the
-///         referee's walking area. Only doing so deliberately is punished, which nobody can measure: it is
-///         noted.
+/// Rule    laws of 2015, Law 1, Law 5 decision 5 and Law 12 caution 7: beyond 0.25 m outside
+///         the lines is the referee's walking area. Only doing so deliberately is punished,
+///         which nobody can measure: it is noted.
 /// Guard   centre of the robot outside the lines - run_off  [m] for run_off_time.
 /// Resets  when the robot is back inside, to be noted again by 80 mm; one that stays out from one passage of
 ///         play to the next is noted once.

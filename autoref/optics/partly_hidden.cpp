@@ -52,8 +52,8 @@ double uncovered(double m) {
 
 PartlyHidden::PartlyHidden(const world::Field& field, const world::Camera& camera, const Vector2d& seen)
     : field_(field), seen_(seen), foot_(camera.position.head<2>()), least_(field.ball_radius) {
-  // What is at the hull's top is seen so much farther from the camera's foot, at the height of the ball's
-  // middle.
+  // What is at the hull's top is seen so much farther from the camera's foot,
+  // at the height of the ball's middle.
   const double height = camera.position.z();
   const bool high = height > 2 * body.height;
   stretch_ = high ? (body.height - field.ball_radius) / (height - body.height) : 0;

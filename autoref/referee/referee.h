@@ -48,13 +48,13 @@ class Referee {
 
   /// Takes everything that arrived in one tick; nothing, or nothing new, changes nothing.
   ///
-  /// @param clock  the receiver's clock, any steady one; without it, a vision that stopped is noticed when it
-  ///               is back
+  /// @param clock  the receiver's clock, any steady one; without it, a vision that stopped is
+  ///               noticed when it is back
   Output update(std::span<const world::Detection> detections,
                 std::optional<world::Time> clock = std::nullopt);
 
-  /// For those who have tracked frames already (tests, watching): the same without tracker and touch
-  /// detection.
+  /// For those who have tracked frames already (tests, watching): the same without
+  /// tracker and touch detection.
   Output update(const world::TrackedFrame& frame);
 
   /// The operator's word (R-8-7): done at once, reported as a call of the row "override" with the next

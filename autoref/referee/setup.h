@@ -26,8 +26,8 @@ struct Setup {
 /// and "winner=yes extra_half_length=300" for a game that needs a winner.
 std::string setup_text(const Setup& setup);
 
-/// The same read back: rule set, lengths, first kickoff, robots and winner; everything else as in a default
-/// Setup.
+/// The same read back: rule set, lengths, first kickoff, robots and winner;
+/// everything else as in a default Setup.
 ///
 /// @throws std::invalid_argument naming the word that cannot be read
 Setup parse_setup(std::string_view text);

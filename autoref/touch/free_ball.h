@@ -26,9 +26,9 @@ struct Carpet {
 /// @return its way [m]
 Vector2d move(FreeBall& ball, double dt, const Carpet& carpet);
 
-/// A hull meets it: the part of the velocity along the normal is turned round, and friction works on what
-/// slips, sideways and, since a rolling ball turns downwards where it meets a wall, upwards too: the ball
-/// hops.
+/// A hull meets it: the part of the velocity along the normal is turned round, and friction
+/// works on what slips, sideways and, since a rolling ball turns downwards where it meets a wall,
+/// upwards too: the ball hops.
 /// @param normal       from the hull to the ball, of length 1
 /// @param surface      [m/s] velocity of the hull
 /// @param restitution  [0, 1]

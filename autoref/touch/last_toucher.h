@@ -22,8 +22,8 @@ class LastToucher {
   explicit LastToucher(const world::Geometry& geometry, LikelihoodParams params = {})
       : field_(geometry.field), params_(params), trail_(geometry) {}
 
-  /// Appends what the next frame tells: a new touch, or an old one, with its old time, whose probability
-  /// changed.
+  /// Appends what the next frame tells: a new touch, or an old one, with its old time,
+  /// whose probability changed.
   /// @param second_opinion  the last touch as other algorithms see it; asked when the ball has left the field
   void update(const world::TrackedFrame& frame, std::span<const world::Detection> images,
               const std::optional<world::Touch>& second_opinion, std::vector<world::Touch>& out);

@@ -104,8 +104,8 @@ double free_density(const Broken& broken, double airborne, bool near, const Like
 double contact_density(const Broken& broken, const NearRobot& robot, double noise, double free,
                        const LikelihoodParams& params);
 
-/// Density of the change between the courses before and after the ball was near robots, if none of them
-/// touched it.
+/// Density of the change between the courses before and after the ball was near robots,
+/// if none of them touched it.
 double passed_freely(const Course& before, const Course& after, double noise, const LikelihoodParams& params);
 
 /// The same if one did.

@@ -14,8 +14,8 @@ namespace touch {
 
 using world::Vector2d;
 
-/// Who touches the ball: the paper's `accel`, `line` and `backtrack`, our `reach` and our `likelihood`,
-/// joined by OR.
+/// Who touches the ball: the paper's `accel`, `line` and `backtrack`, our `reach` and our
+/// `likelihood`, joined by OR.
 ///
 /// The first four report at most one touch per robot and frame; contact that lasts is reported again and
 /// again, since what counts is who touched last. A contributor needs as many consecutive frames as it looks

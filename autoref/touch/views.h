@@ -26,8 +26,8 @@ constexpr world::RobotId robot_in(std::size_t slot) {
           static_cast<std::uint8_t>(slot % per_team)};
 }
 
-/// Ball and the robots round it in one image of one camera: what they are to each other has no error of
-/// calibration.
+/// Ball and the robots round it in one image of one camera: what they are to each other has
+/// no error of calibration.
 struct Sighting {
   struct Robot {
     std::size_t slot = 0;

@@ -9,8 +9,8 @@ namespace tracker {
 using world::Vector2d;
 using world::Vector3d;
 
-/// Gaussian belief about a ball in the air: position and velocity in space, from where cameras see it on the
-/// ground.
+/// Gaussian belief about a ball in the air: position and velocity in space, from where
+/// cameras see it on the ground.
 ///
 /// A camera at c, H above the ball's resting place, shows a ball at p and height z at g with
 /// p + z (g - c) / H = g: linear in what is not known, so this is a plain Kalman filter. Where the ball comes
@@ -19,8 +19,8 @@ using world::Vector3d;
 ///         for a jump at an uncertain instant.
 class AirFilter {
  public:
-  /// A ball on the ground at `from`, known to `sigma` [m], that leaves it now with any velocity a kicker can
-  /// give.
+  /// A ball on the ground at `from`, known to `sigma` [m], that leaves it now with any
+  /// velocity a kicker can give.
   AirFilter(const Vector2d& from, double sigma);
   /// A ball in the air at `place` [m], z known to `sigma` [m], with any velocity.
   AirFilter(const Vector3d& place, double sigma);

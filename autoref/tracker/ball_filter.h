@@ -14,8 +14,8 @@ namespace tracker {
 /// Interacting multiple models: before every step the three beliefs are mixed by the chances of a change of
 /// phase, afterwards each is weighted by its likelihood. `erratic` is the collision covariance of
 /// football.md 3.1 and carries dribbled, pushed and flying balls.
-/// Source  Bar-Shalom, Li, Kirubarajan, "Estimation with Applications to Tracking and Navigation", 2001,
-///         Sec. 11.6.6.
+/// Source  Bar-Shalom, Li, Kirubarajan, "Estimation with Applications to Tracking and
+///         Navigation", 2001, Sec. 11.6.6.
 class BallFilter {
  public:
   enum Phase { Slide, Roll, Erratic };

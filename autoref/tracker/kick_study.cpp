@@ -11,8 +11,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// How long a kicked ball slides [s]: not at all, up to 8 m/s with the dribbler's backspin, or anything
-// between.
+// How long a kicked ball slides [s]: not at all, up to 8 m/s with the dribbler's
+// backspin, or anything between.
 constexpr std::array slide_times = {0.0, 0.08, 0.16, 0.28, 0.45, 10.0};
 constexpr double speed_sigma = 4.0;                                // [m/s] per axis, as AirFilter's
 constexpr double ground_noise = 0.15 * 0.15 * world::tick_length;  // [m^2/s^3] as a rolling ball's

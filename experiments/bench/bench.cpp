@@ -115,8 +115,8 @@ Figures measure(const BenchOptions& options) {
   for (const Part part : {Part::Physics, Part::Vision, Part::Messages, Part::Referee}) {
     figures.rows.push_back(row_of(name(part), stopwatch.times(part)));
   }
-  // The wall time of an exchange holds what the teams compute in it; what they spend in the kernel is the
-  // channel's.
+  // The wall time of an exchange holds what the teams compute in it; what they spend in the
+  // kernel is the channel's.
   figures.rows.push_back({"channel", stopwatch.mean(Part::Channel) - teams_user / ticks});
   figures.rows.push_back(row_of(name(Part::Bookkeeping), stopwatch.times(Part::Bookkeeping)));
   if (options.game.log) figures.rows.push_back(row_of(name(Part::Log), stopwatch.times(Part::Log)));

@@ -9,8 +9,8 @@
 
 namespace bench {
 
-/// The standard game: 6 against 6, the reference team on both sides, 2 x 10 minutes, preset "measured",
-/// seed 7.
+/// The standard game: 6 against 6, the reference team on both sides, 2 x 10 minutes,
+/// preset "measured", seed 7.
 record::MatchConfig standard_game();
 
 /// What `matchday bench` may be told.
@@ -30,9 +30,8 @@ struct BenchOptions {
 /// @throws std::invalid_argument as host::play does, std::runtime_error when the game did not finish
 Figures measure(const BenchOptions& options);
 
-/// Backend of `matchday bench`: measures and prints; what is wrong with the file to be compared with is said
-/// before anything is measured. The caller turns exceptions into a sentence and exit
-/// code 2.
+/// Backend of `matchday bench`: measures and prints; what is wrong with the file to be compared with is
+/// said before anything is measured. The caller turns exceptions into a sentence and exit code 2.
 /// @return exit code 0
 int bench(const BenchOptions& options, std::ostream& out);
 

@@ -25,8 +25,8 @@ Said listen_to(const std::vector<std::string>& command, const std::filesystem::p
 /// Whether a text is the full name of a commit: 40 or 64 hexadecimal digits.
 bool is_commit(const std::string& text);
 
-/// The commit that a revision names in a repository: a branch, tag or commit there, or a branch of its
-/// origin.
+/// The commit that a revision names in a repository: a branch, tag or commit there,
+/// or a branch of its origin.
 ///
 /// @param who  how the message calls the team
 /// @return     40 hexadecimal digits
@@ -41,8 +41,8 @@ bool is_remote(const std::string& repository);
 /// @throws std::invalid_argument naming team and repository
 void mirror(const std::string& address, const std::filesystem::path& copy, const std::string& who);
 
-/// Makes `folder` a checkout of the commit, linked to the repository (git worktree). What is there already is
-/// thrown away.
+/// Makes `folder` a checkout of the commit, linked to the repository (git worktree).
+/// What is there already is thrown away.
 ///
 /// @throws std::invalid_argument naming team, repository and commit
 void check_out(const std::string& repository, const std::string& commit, const std::filesystem::path& folder,

@@ -49,8 +49,8 @@ std::string_view detector_of(Event event);
 /// How near to its limit an event must be so that nobody can be blamed for calling it otherwise. Margins are
 /// counted in these: 1 is as far beyond the limit as the band is wide.
 ///
-/// The lengths are the issue's; a speed is told from a length covered in 0.2 s (twelve frames), a time by as
-/// much. Ours.
+/// The lengths are the issue's; a speed is told from a length covered in 0.2 s (twelve frames),
+/// a time by as much. Ours.
 struct Bands {
   double length = 0.04;  ///< [m]
   double speed = 0.2;    ///< [m/s]

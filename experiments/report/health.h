@@ -35,8 +35,8 @@ struct Health {
 
 inline constexpr double suspicious = 0.01;  ///< ours: five checks over a hundred runs cry wolf once
 
-/// How many audits came to each verdict, in the order of the verdicts; those that never occurred are left
-/// out.
+/// How many audits came to each verdict, in the order of the verdicts; those that never
+/// occurred are left out.
 struct AuditLine {
   record::Verdict verdict{};
   std::size_t count = 0;

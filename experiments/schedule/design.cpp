@@ -42,8 +42,8 @@ void check_known(const TomlTable& table, const std::string& key, const std::stri
   }
 }
 
-/// `realism = "harsh"`, or a table [realism] with `preset = "harsh"` and numbers by their keys; over
-/// `realism`.
+/// `realism = "harsh"`, or a table [realism] with `preset = "harsh"` and numbers by
+/// their keys; over `realism`.
 void read_realism(TomlTable& root, const CheckRealism& check, record::RealismConfig& realism) {
   const auto checked = [&](TomlTable& table, const std::string& key) {
     try {

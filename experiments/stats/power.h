@@ -11,8 +11,8 @@ struct PowerPlan {
   double power = 0.8;   ///< probability to see a difference that is there
 };
 
-/// The effect t = mean / deviation of one value that `count` values show with that power: (z_a + z_b) /
-/// sqrt(n).
+/// The effect t = mean / deviation of one value that `count` values show with that power:
+/// (z_a + z_b) / sqrt(n).
 ///
 /// Source  harness reference 2.6: .396 for 50, .280 for 100, .162 for 300
 double detectable_effect(std::int64_t count, const PowerPlan& plan = {});

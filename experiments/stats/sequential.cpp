@@ -130,8 +130,8 @@ std::vector<double> with_effect_by_scan(std::span<const double> observed, double
     }
     before = now;
   }
-  // Of 50,000 pairs that all went the same way a zero is between two steps, and where it is makes no
-  // difference.
+  // Of 50,000 pairs that all went the same way a zero is between two steps, and where it
+  // is makes no difference.
   return best.empty() ? nearest : best;
 }
 

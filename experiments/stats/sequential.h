@@ -72,9 +72,8 @@ double multinomial_llr(std::span<const double> counts, double s0, double s1);
 
 /// The same for effect sizes t = (expected score - 1/2) / deviation.
 ///
-/// Source  fishtest, LLRcalc.py, "LLR_normalized" and "MLE_t_value". We differ: up to 200 rounds instead of
-/// 10,
-///         which do not suffice where nearly all scores are the same.
+/// Source  fishtest, LLRcalc.py, "LLR_normalized" and "MLE_t_value". We differ:
+///         up to 200 rounds instead of 10, which do not suffice where nearly all scores are the same.
 double multinomial_llr(std::span<const double> counts, const Hypotheses& hypotheses);
 
 /// How much a test oversteps its bounds, learnt while it runs.
@@ -138,8 +137,8 @@ double clipped(double score, const SequentialPlan& plan);
 
 /// Expected number of pairs and probability to accept H1 when the true effect is t, for a test without a cap.
 ///
-/// The walk taken as Brownian motion with `expected_llr` and `llr_variance` between the bounds of
-/// `wald_bounds`.
+/// The walk taken as Brownian motion with `expected_llr` and `llr_variance` between the
+/// bounds of `wald_bounds`.
 ///
 /// Source  A. Wald, 1945; harness reference 2.2: 5.30 / t1^2 at H0 and H1, 8.67 / t1^2 half way
 struct ExpectedCourse {

@@ -16,10 +16,10 @@ namespace stopping {
 /// the interval's ends are those for which it does so in 97.5 % and 2.5 % (outcomes ordered by the effect
 /// seen, Emerson and Fleming 1990).
 ///
-/// stats::after_stopping does the same by formula, with outcomes ordered by the moment of stopping, for small
-/// effects: it takes the log-likelihood ratio as Brownian motion. Above t = 1 a pair it is far too low (12
-/// pairs with t = 4.8 give 1.4), since the ratio is not linear in t there. An A/B test often has such
-/// effects.
+/// stats::after_stopping does the same by formula, with outcomes ordered by the moment of stopping,
+/// for small effects: it takes the log-likelihood ratio as Brownian motion. Above t = 1 a pair
+/// it is far too low (12 pairs with t = 4.8 give 1.4), since the ratio is not linear in t there.
+/// An A/B test often has such effects.
 ///
 /// @param seen   mean / deviation of the scores at the stop
 /// @param pairs  at the stop, at least 2

@@ -134,8 +134,8 @@ void Engine::step(const world::PerTeam<world::TeamCommands>& commands) {
   const auto slots = static_cast<std::int64_t>(state.queue.size());
   world::PerTeam<world::TeamCommands>& newest = state.queue[static_cast<std::size_t>(frame.tick % slots)];
   newest = commands;
-  // With a latency of L the slot after the newest one holds the commands of L ticks ago; at first it is
-  // empty.
+  // With a latency of L the slot after the newest one holds the commands of L ticks
+  // ago; at first it is empty.
   state.apply(state.queue[static_cast<std::size_t>((frame.tick + 1) % slots)]);
 
   frame.contacts.clear();

@@ -18,8 +18,8 @@ struct Model {
   std::uint64_t seed = 0;
 };
 
-/// Robots of a team by number, all with the body and limits of `body` (its id does not matter), slowed by
-/// `speed_factor`.
+/// Robots of a team by number, all with the body and limits of `body` (its id does not matter),
+/// slowed by `speed_factor`.
 ///
 /// @throws std::invalid_argument when speed_factor is not in (0, 10]
 std::vector<world::RobotSpecs> standard_robots(world::Team team, const std::vector<int>& numbers,
@@ -27,10 +27,9 @@ std::vector<world::RobotSpecs> standard_robots(world::Team team, const std::vect
 
 /// Checks a model before it is used.
 ///
-/// @throws std::invalid_argument naming team, robot, field and value: more than 16 robots, a number above 15
-/// or
-///         used twice, a robot of the other team, a limit that is not positive and finite, an impossible
-///         field
+/// @throws std::invalid_argument naming team, robot, field and value: more than 16 robots,
+///         a number above 15 or used twice, a robot of the other team, a limit that is not positive and
+///         finite, an impossible field
 void check(const Model& model);
 
 }  // namespace engine

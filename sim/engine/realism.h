@@ -18,8 +18,8 @@ struct RadioParams {
                     ///< stops (0.1 s: ER-Force)
 };
 
-/// How the simulated world differs from a perfect one: a preset with a name, any number of which can be
-/// changed.
+/// How the simulated world differs from a perfect one: a preset with a name, any number
+/// of which can be changed.
 struct Realism {
   std::string name;
   vision::Params vision;  ///< cameras: noise, loss, delay

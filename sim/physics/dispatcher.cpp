@@ -3,8 +3,8 @@
 namespace physics {
 namespace {
 
-// Bullet makes contact points up to 2 % of a body's size before they touch, margins included: 3 mm here.
-// Ours.
+// Bullet makes contact points up to 2 % of a body's size before they touch,
+// margins included: 3 mm here. Ours.
 constexpr float room = 0.01F;  // [m]
 
 const btCollisionObject& object(const btBroadphaseProxy* proxy) {

@@ -5,8 +5,8 @@
 
 namespace physics {
 
-/// Share of the full grip at a dribbler speed [rad/s]: 0 when it stands or turns outward, 1 from full_speed
-/// on.
+/// Share of the full grip at a dribbler speed [rad/s]: 0 when it stands or turns
+/// outward, 1 from full_speed on.
 double grip(double dribbler_speed, const DribblerParams& params);
 
 /// Change of the ball's velocity by the dribbler in one substep [m/s], in the robot's frame.

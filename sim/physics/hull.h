@@ -7,8 +7,8 @@
 
 namespace physics {
 
-/// Distance from a robot's hull (disc with a flat front) to a point [m], both in the robot's frame; negative
-/// inside.
+/// Distance from a robot's hull (disc with a flat front) to a point [m], both in the robot's
+/// frame; negative inside.
 double hull_distance_local(const world::RobotSpecs& specs, const world::Vector2d& point_local);
 
 /// The same for a robot at a place of the field.

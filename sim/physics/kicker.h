@@ -19,9 +19,9 @@ struct BallLocal {
 /// Gap between the flat front and the ball [m]; negative when they overlap.
 double gap_to_front(const BallLocal& ball, const world::RobotSpecs& specs, double ball_radius);
 
-/// The ball is in the box before the flat front: within `reach` [m] of it, between the dribbler's ends, no
-/// higher than `highest` [m]. The box begins half a ball inside the front, since fast contacts overlap for a
-/// substep.
+/// The ball is in the box before the flat front: within `reach` [m] of it, between the dribbler's ends,
+/// no higher than `highest` [m]. The box begins half a ball inside the front, since fast contacts
+/// overlap for a substep.
 bool in_front(const BallLocal& ball, const world::RobotSpecs& specs, double ball_radius, double reach,
               double highest);
 

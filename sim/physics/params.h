@@ -44,11 +44,10 @@ struct KickerParams {
 
 /// The dribbler as a bounded spring between ball and bar.
 ///
-/// Source  ours. The bar can pull with what carpet friction on the back-spinning ball gives (.35 g = 3.4
-/// m/s^2,
-///         more because the bar also presses down), and drag sideways with what rubber gives (friction 1.5 in
-///         ER-Force's model). What comes out (the turn rates and decelerations at which the ball is lost) is
-///         measured in tests/sim/physics/dribbler_test.cpp and written in the README.
+/// Source  ours. The bar can pull with what carpet friction on the back-spinning ball gives (.35
+///         g = 3.4 m/s^2, more because the bar also presses down), and drag sideways with what rubber gives
+///         (friction 1.5 in ER-Force's model). What comes out (the turn rates and decelerations at which
+///         the ball is lost) is measured in tests/sim/physics/dribbler_test.cpp and written in the README.
 struct DribblerParams {
   double reach = 0.015;        ///< [m] gap over which the bar still grips
   double gain = 30.0;          ///< [1/s] of the spring: closes an error in about 8 substeps

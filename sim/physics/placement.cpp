@@ -93,8 +93,8 @@ std::vector<bool> push_out(std::vector<Placed>& robots, std::span<const Fixture>
   for (std::size_t i = 0; i < robots.size(); ++i) {
     moved[i] = hull_distance(*robots[i].specs, robots[i].position, robots[i].orientation, spot) <= clearance;
   }
-  // Those that are still to be moved do not stand in each other's way; the farthest, with the least to go,
-  // first.
+  // Those that are still to be moved do not stand in each other's way; the farthest,
+  // with the least to go, first.
   std::vector<bool> counts(robots.size());
   for (std::size_t i = 0; i < robots.size(); ++i) counts[i] = !moved[i];
   std::vector<std::size_t> order(robots.size());

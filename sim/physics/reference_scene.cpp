@@ -153,8 +153,8 @@ class ReferenceScene {
     return best;
   }
 
-  // One chaser of each team drives at the ball and kicks it; the others drive to random targets, facing the
-  // ball.
+  // One chaser of each team drives at the ball and kicks it; the others drive to random
+  // targets, facing the ball.
   void decide() {
     const btVector3 ball = ball_->getWorldTransform().getOrigin();
     for (int i = 0; i < robot_count; ++i) {

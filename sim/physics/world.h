@@ -66,8 +66,8 @@ class World {
   /// @pre as many robots as this World has
   void restore(const State& state);
 
-  /// Distance from the hulls of the robots on the field to a point, the smallest [m]; infinite without
-  /// robots.
+  /// Distance from the hulls of the robots on the field to a point, the smallest [m];
+  /// infinite without robots.
   double distance_to_robots(const world::Vector2d& point) const;
 
   /// See Engine::push_robots_out.

@@ -13,9 +13,9 @@ struct RobotPull {
 
 /// The motion for the next tick of a ball that is dragged to `target` [m].
 ///
-/// It heads for the target at 5 times the distance a second, at most 3 m/s, and changes its velocity by at
-/// most 20 m/s^2: ours, quick and without a jolt. On the ground it rolls; off the ground gravity is
-/// balanced.
+/// It heads for the target at 5 times the distance a second, at most 3 m/s,
+/// and changes its velocity by at most 20 m/s^2: ours, quick and without a jolt. On the ground it rolls;
+/// off the ground gravity is balanced.
 truth::Ball pulled(truth::Ball ball, const world::Vector3d& target, double ball_radius);
 
 /// The same for a robot; it turns at 8 times the difference a second, at most 10 rad/s.

@@ -38,8 +38,8 @@ class Server {
   /// have an error each (the first 24); config is done before control, all in the order of the message.
   std::string handle_control(std::string_view datagram);
 
-  /// A RobotControl in, always a RobotControlResponse out: errors, and feedback of every robot of the team on
-  /// the field.
+  /// A RobotControl in, always a RobotControlResponse out: errors, and feedback of every robot of
+  /// the team on the field.
   std::string handle_robots(world::Team team, std::string_view datagram);
 
   /// Advances by one tick; returns the camera frames that leave during it, in their order.

@@ -6,8 +6,8 @@
 
 namespace vision {
 
-/// Losses that come in bursts: each object of one camera is, image by image, in one of two states, seen or
-/// lost.
+/// Losses that come in bursts: each object of one camera is, image by image, in one of
+/// two states, seen or lost.
 ///
 /// A seen object is lost with probability `start`, a lost one is seen again with probability 1 / length (a
 /// Gilbert model), so bursts have geometric lengths of that mean. The first image finds the chain in its

@@ -8,8 +8,8 @@
 
 namespace vision {
 
-/// The poorly calibrated regions of one camera: discs at places drawn once, each with an error of its own
-/// direction.
+/// The poorly calibrated regions of one camera: discs at places drawn once, each with an
+/// error of its own direction.
 class Regions {
  public:
   /// @param area  finite; the discs' centres are uniform in it

@@ -14,9 +14,9 @@ namespace wire {
 
 /// What a record of a league log holds.
 ///
-/// Real logs may hold the same vision frames twice, as Vision2010 and as Vision2014: a reader that finds
-/// Vision2014 must leave Vision2010 alone, or it sees every frame twice. Other types occur and are to be
-/// skipped.
+/// Real logs may hold the same vision frames twice, as Vision2010 and as Vision2014:
+/// a reader that finds Vision2014 must leave Vision2010 alone, or it sees every frame twice.
+/// Other types occur and are to be skipped.
 enum LogType : std::int32_t {
   Vision2010 = 2,   ///< matchday::legacy2014::SSL_WrapperPacket
   Refbox2013 = 3,   ///< Referee
@@ -71,16 +71,15 @@ class LogReader {
   /// A last record cut short (the recorder was killed) ends the file quietly, as is the league's custom;
   /// `truncated` then says so.
   /// Takes as much memory as one datagram, whatever the file is.
-  /// @throws std::runtime_error "file: record N at byte B: ..." for a length that is negative or above that
-  /// of
-  ///         a datagram (of an index: 64 MiB), and for damaged gzip data. Records count from 1, bytes from
-  ///         the start of the unpacked file.
+  /// @throws std::runtime_error "file: record N at byte B: ..." for a length that is negative
+  ///         or above that of a datagram (of an index: 64 MiB), and for damaged gzip data.
+  ///         Records count from 1, bytes from the start of the unpacked file.
   bool next(LogRecord& record);
 
   /// After the end: the file stops inside a record, or its gzip stream does.
   bool truncated() const;
-  /// After the end: one sentence "file: record N at byte B: ..." about the missing piece; empty when nothing
-  /// is.
+  /// After the end: one sentence "file: record N at byte B: ..." about the missing piece;
+  /// empty when nothing is.
   const std::string& truncation() const;
   /// Records returned so far.
   std::int64_t records() const;

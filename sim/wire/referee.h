@@ -18,9 +18,9 @@ using namespace matchday::referee;  // NOLINT: that is the purpose
 /// READY is NORMAL_START, START is FORCE_START, KICKOFF and PENALTY are PREPARE_KICKOFF and PREPARE_PENALTY.
 void encode(const world::RefereeMessage& message, Epoch epoch, proto::Referee& out);
 
-/// The referee's message from the wire, of any version since 2013; nothing when stage or command are missing
-/// or unknown. Numbers and texts beyond all meaning are cut to what has one; a keeper above 255 is 255:
-/// nobody.
+/// The referee's message from the wire, of any version since 2013; nothing when stage or
+/// command are missing or unknown. Numbers and texts beyond all meaning are cut to what has one;
+/// a keeper above 255 is 255: nobody.
 ///
 /// BALL_PLACEMENT, which the paper does not have, reads as STOP with its designated position.
 std::optional<world::RefereeMessage> decode(const proto::Referee& message, Epoch epoch);

@@ -84,8 +84,8 @@ std::optional<world::RobotSpecs> decode(const proto::RobotSpecs& specs);
 /// A limit of the league's for moving counts forward and sideways; RobotSpecsMatchday may then say otherwise.
 /// ER-Force's RobotSpecErForce is understood for its dribbler_width.
 ///
-/// @returns  one problem for each bad field (code::spec) and each that nothing here can follow
-///           (code::unsupported)
+/// @returns  one problem for each bad field (code::spec) and each that nothing here can
+///           follow (code::unsupported)
 std::vector<Problem> apply(const proto::RobotSpecs& message, world::RobotSpecs& specs, WheelAngles& wheels);
 
 /// What one robot tells its team.

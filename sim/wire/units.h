@@ -29,8 +29,8 @@ inline double from_rpm(double rpm) { return rpm * std::numbers::pi / 30.0; }
 inline std::int64_t to_us(world::Duration duration) {
   return std::chrono::round<std::chrono::microseconds>(duration).count();
 }
-/// Limited to 31 years, so that sums and differences with instants of the wire stay within what nanoseconds
-/// hold.
+/// Limited to 31 years, so that sums and differences with instants of the wire stay within
+/// what nanoseconds hold.
 inline world::Duration from_us(std::int64_t us) {
   constexpr std::int64_t limit = 1'000'000'000'000'000;
   return std::chrono::microseconds{us < -limit ? -limit : us > limit ? limit : us};

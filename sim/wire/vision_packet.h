@@ -13,8 +13,8 @@ inline constexpr std::size_t max_datagram_size = 8192;
 
 /// One camera's detections as the datagram that a simulator sends: SSL_WrapperPacket with source OTHER.
 ///
-/// Balls that would make it longer than `max_datagram_size` are left out, the last ones first. Overwrites
-/// `out`.
+/// Balls that would make it longer than `max_datagram_size` are left out, the last ones
+/// first. Overwrites `out`.
 void encode_packet(const world::Detection& detection, Epoch epoch, std::string& out);
 
 /// Field and all cameras as such a datagram.

@@ -6,8 +6,8 @@
 
 namespace world {
 
-/// The two shapes the laws have known: quarter circles joined by a straight piece (2015), a rectangle (since
-/// 2018).
+/// The two shapes the laws have known: quarter circles joined by a straight piece (2015),
+/// a rectangle (since 2018).
 struct DefenseArea {
   enum class Shape { QuarterCircles, Rectangle };
   Shape shape = Shape::QuarterCircles;
@@ -79,8 +79,8 @@ Vector2d goal_center(const Field& field, Side side);
 /// negative inside.
 double distance_to_defense_area(const Field& field, Side side, const Vector2d& point);
 
-/// Nearest point that is at least `distance` [m] outside the defense area of `side`; `point` itself when it
-/// already is.
+/// Nearest point that is at least `distance` [m] outside the defense area of `side`;
+/// `point` itself when it already is.
 Vector2d moved_out_of_defense_area(const Field& field, Side side, const Vector2d& point, double distance);
 
 /// How far the point is outside the lines [m]; negative inside, measured to the nearest line.

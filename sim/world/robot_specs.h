@@ -6,10 +6,9 @@ namespace world {
 
 /// Body and limits of one robot, after any handicap. Limits along and across the heading bound an ellipse.
 ///
-/// Values  2.5 kg, 3 m/s, 3 m/s^2, brake 6 m/s^2, 20 rad/s, 50 rad/s^2: TIGERs' simulator parameters
-/// (reference
-///         "football", section 5), the same forward and sideways; body from the laws (180 mm by 150 mm),
-///         front plate at 73 mm.
+/// Values  2.5 kg, 3 m/s, 3 m/s^2, brake 6 m/s^2, 20 rad/s, 50 rad/s^2:
+///         TIGERs' simulator parameters (reference "football", section 5), the same forward and sideways;
+///         body from the laws (180 mm by 150 mm), front plate at 73 mm.
 struct RobotSpecs {
   RobotId id;
   double radius = 0.09;                    ///< [m]
@@ -30,8 +29,8 @@ struct RobotSpecs {
   double max_chip_speed = 6.0;             ///< [m/s] absolute
 };
 
-/// The same robot with speed and acceleration (braking too) multiplied by `factor`; rotation stays (paper,
-/// Figure 8).
+/// The same robot with speed and acceleration (braking too) multiplied by `factor`;
+/// rotation stays (paper, Figure 8).
 constexpr RobotSpecs slowed(RobotSpecs specs, double factor) {
   specs.max_speed *= factor;
   specs.max_speed_sideways *= factor;

@@ -43,8 +43,8 @@ void Chaser::play(const kit::View& view, world::TeamCommands& out) {
     ++place;
     skills::Order order;
     if (robot.number == chaser_ && our_ball) {
-      // Behind the ball, then through it: 6 m/s at the middle of their goal, when the aim is right to 0.1
-      // rad.
+      // Behind the ball, then through it: 6 m/s at the middle of their goal, when the
+      // aim is right to 0.1 rad.
       const double aim = world::angle_of(view.their_goal() - view.ball.position);
       order = skills::approach_and_kick(view, robot, aim, 6.0, 0, 0.1);
     } else {

@@ -6,12 +6,12 @@
 
 namespace kit {
 
-/// Where a ball will be, on the carpet or in the air: a straight line seen from above, hops seen from the
-/// side.
+/// Where a ball will be, on the carpet or in the air: a straight line seen from above,
+/// hops seen from the side.
 ///
-/// In the air gravity alone. Each landing keeps half of the climb; the first takes from the speed along the
-/// ground what friction gives until the ball rolls, min(2/7 v, .35 * 1.5 * climb). A hop lower than 10 mm is
-/// rolling.
+/// In the air gravity alone. Each landing keeps half of the climb; the first takes from the speed
+/// along the ground what friction gives until the ball rolls, min(2/7 v, .35 * 1.5 * climb).
+/// A hop lower than 10 mm is rolling.
 ///
 /// Source  numbers as in the simulator's ball (sim/physics/params.h: .5, .35, 10 mm)
 class BallCourse {

@@ -7,9 +7,9 @@
 
 namespace kit {
 
-/// What a team lets its user set, each with a checked range: as a flag of the command line, or as a key of
-/// the same name in a TOML file given with `--config`. The command line has the last word; `--help` lists
-/// them.
+/// What a team lets its user set, each with a checked range: as a flag of the command line,
+/// or as a key of the same name in a TOML file given with `--config`. The command line has the last
+/// word; `--help` lists them.
 class Flags {
  public:
   void add(std::string name, double& value, double low, double high, std::string help);

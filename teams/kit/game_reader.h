@@ -5,10 +5,10 @@
 
 namespace kit {
 
-/// Turns the referee's messages into `Game`, and notices what the referee does not say: that the ball is in
-/// play, and that the kicker may touch it again. A kick that was only a false detection is taken back when
-/// the ball is seen where it lay. The referee helps: it counts down the time to the kick as long as it waits
-/// for one.
+/// Turns the referee's messages into `Game`, and notices what the referee does not say:
+/// that the ball is in play, and that the kicker may touch it again. A kick that was only
+/// a false detection is taken back when the ball is seen where it lay. The referee helps:
+/// it counts down the time to the kick as long as it waits for one.
 class GameReader {
  public:
   GameReader(world::Team team, double ball_radius) : team_(team), ball_radius_(ball_radius) {}

@@ -14,9 +14,9 @@
 namespace kit {
 namespace {
 
-// First byte of a message whose only field is number 2, length-delimited: the tick in a HostMessage, the
-// reply in a TeamMessage. Handling that byte here keeps the tick's objects alive; a oneof frees its old
-// content.
+// First byte of a message whose only field is number 2, length-delimited: the tick in a HostMessage,
+// the reply in a TeamMessage. Handling that byte here keeps the tick's objects alive;
+// a oneof frees its old content.
 constexpr char field_2 = 0x12;
 
 std::optional<std::span<const std::byte>> only_field_2(std::span<const std::byte> payload) {

@@ -11,8 +11,8 @@
 namespace reference {
 namespace {
 
-// A kick that only has to be away: upfield, where the opponents leave most room and the ball stays on the
-// field.
+// A kick that only has to be away: upfield, where the opponents leave most room and the
+// ball stays on the field.
 Kick clearance(const kit::View& view, const Situation& situation, int kicker, bool gentle) {
   const Vector2d ball = view.ball.position;
   const double reach = 3.0;  // [m] blockers beyond do not matter; here it should be taken by somebody

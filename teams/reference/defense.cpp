@@ -16,8 +16,8 @@ constexpr double wall_aside = 0.15;  // [m] on the goal line (ours)
 constexpr double goalie_aside =
     0.2;  // [m] of the goalie from the line to the goal's middle, from which it is all
 
-// Where on the goal line [m from its middle] a single robot in the wall aims: the half that the goalie has
-// not.
+// Where on the goal line [m from its middle] a single robot in the wall aims:
+// the half that the goalie has not.
 double beside_goalie(const kit::View& view) {
   const kit::Robot* goalie = kit::find(view.own, view.game.own_keeper);
   if (goalie == nullptr) return 0;

@@ -8,8 +8,8 @@ namespace {
 
 using kit::Phase;
 
-// [m] Hull to their defense area while a kick of ours is due; the laws ask 0.2 (Law 9), noise and cameras
-// 0.05.
+// [m] Hull to their defense area while a kick of ours is due; the laws ask 0.2 (Law 9),
+// noise and cameras 0.05.
 constexpr double attacker_distance = 0.25;
 
 void keep_away(const kit::View& view, const kit::Robot& robot, const Parameters& parameters, bool goalie,

@@ -173,8 +173,8 @@ skills::Order ReferenceTeam::winner_order(const kit::View& view, const Situation
   return winner_.play(view, situation, robot, rules, parameters_);
 }
 
-// The first 0.7 s choose a place, then it is kept: a formation that goes on moving would keep the referee
-// waiting.
+// The first 0.7 s choose a place, then it is kept: a formation that goes on moving would
+// keep the referee waiting.
 void ReferenceTeam::hold_place(const kit::View& view, const kit::Robot& robot, skills::Order& order) {
   std::optional<Vector2d>& place = places_[robot.number];
   const bool still_choosing = view.time - phase_began_ < choose_places_for;

@@ -7,8 +7,8 @@
 
 namespace reference {
 
-/// Our restarts that have places of their own; every other free kick is played from the supporters' usual
-/// places.
+/// Our restarts that have places of their own; every other free kick is played from the
+/// supporters' usual places.
 enum class SetPlay : std::uint8_t { None, Kickoff, Corner, GoalKick, NeutralStart, Penalty };
 const char* name(SetPlay play);
 

@@ -10,8 +10,8 @@
 
 namespace reference {
 
-/// Counts what a team did with the ball in a game, as seen by itself, so that an effect of its flags can be
-/// explained.
+/// Counts what a team did with the ball in a game, as seen by itself, so that an effect of its
+/// flags can be explained.
 ///
 /// A pass is complete when a team-mate other than the kicker is the next to have the ball at its dribbler or
 /// to kick it, lost when an opponent is or the game is interrupted.

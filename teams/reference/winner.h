@@ -8,8 +8,8 @@
 
 namespace reference {
 
-/// The robot at the ball: fetches it, decides what to do with it, does it. Remembers its choice and its
-/// dribble.
+/// The robot at the ball: fetches it, decides what to do with it, does it.
+/// Remembers its choice and its dribble.
 class Winner {
  public:
   skills::Order play(const kit::View& view, const Situation& situation, const kit::Robot& robot,

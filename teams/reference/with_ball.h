@@ -29,8 +29,8 @@ const char* name(WithBall what);
 WithBall choose_with_ball(const kit::View& view, const kit::Robot& robot, const Kick& kick, const Hold& hold,
                           double their_time, const Parameters& parameters);
 
-/// How long until a kick by `angle` [rad] from the heading, the ball being at the dribbler [s]: turning or
-/// going round.
+/// How long until a kick by `angle` [rad] from the heading, the ball being at the dribbler [s]:
+/// turning or going round.
 double time_to_align(const kit::View& view, const kit::Robot& robot, double angle,
                      const Parameters& parameters);
 

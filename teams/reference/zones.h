@@ -37,8 +37,8 @@ constexpr int grid_points = grid_side * grid_side;
 /// The attacking region in 3 x 3 zones: x from max(-1 m, anchor - 2 m) to 0.3 m before their goal line, rows
 /// with borders at a third of the half width.
 ///
-/// Source  reference "football", 2.10, feature Z. Outer rows end 0.25 m inside the touch lines (2.6: field
-///         margin).
+/// Source  reference "football", 2.10, feature Z. Outer rows end 0.25 m inside the touch
+///         lines (2.6: field margin).
 class Partition {
  public:
   Partition() = default;

@@ -78,8 +78,8 @@ void Habits::while_running(const kit::View& view, const kit::Robot& robot, skill
   ram(view, robot, order);
 }
 
-// No field player goes for the ball. With restraint somebody waits at it, and plays it just before that is an
-// offence.
+// No field player goes for the ball. With restraint somebody waits at it, and plays it just
+// before that is an offence.
 bool Habits::idle(const kit::View& view, const kit::Robot& robot, skills::Order& order) {
   constexpr int team = 0;           // one decision for all
   constexpr double in_time = 11.7;  // [s] of 12; then it is kicked

@@ -14,8 +14,8 @@ struct Kick {
   double angle = 0;      ///< [rad] above the ground
 };
 
-/// Over the opponents' goal line beside the goal where there is most room; through the air where the way is
-/// not free.
+/// Over the opponents' goal line beside the goal where there is most room;
+/// through the air where the way is not free.
 Kick plan_clearance(const kit::View& view, const kit::Robot& robot);
 
 /// To the nearer goalie, to arrive at a walk; nothing where there is none.

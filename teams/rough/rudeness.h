@@ -4,9 +4,9 @@
 
 namespace rough {
 
-/// How rude the team is: for each habit the chance that it gives way to it when there is an opportunity. All
-/// values ours, so that a game of 20 minutes shows each at least once or twice; at 0 where the game would be
-/// another one.
+/// How rude the team is: for each habit the chance that it gives way to it when there is an opportunity.
+/// All values ours, so that a game of 20 minutes shows each at least once or twice;
+/// at 0 where the game would be another one.
 struct Rudeness {
   double fast_kicks = 0.06;     ///< each kick: at 8 to 10 m/s
   double long_dribbles = 0.08;  ///< each time a robot gets the ball: carries it 1.6 m

@@ -51,8 +51,8 @@ double width_of_goal(const kit::View& view, const Vector2d& from);
 /// It sees the ball go after 0.12 s and drives from rest to rest.
 Vector2d goalie_later(const kit::View& view, const kit::Robot& goalie, const Vector2d& ball, double later);
 
-/// The angle a kick in the heading `direction` may be wrong and still hit: half of the width, at most 0.1
-/// rad.
+/// The angle a kick in the heading `direction` may be wrong and still hit:
+/// half of the width, at most 0.1 rad.
 double kick_tolerance(double width);
 
 /// Chance that a shot through an opening of that width passes, for a Gaussian kick error [0..1].

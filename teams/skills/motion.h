@@ -52,9 +52,8 @@ double time_to_rest(double distance, double speed, const Limits& limits);
 /// found by bisection.
 ///
 /// Accuracy  |T_x - T_y| below 2 % of T after 7 halvings; each axis ends exactly at the target.
-/// Source    reference "football", 2.2. The axes lie along and across the line to the target, so that a robot
-/// at
-///           rest drives straight.
+/// Source    reference "football", 2.2. The axes lie along and across the line to the target,
+///           so that a robot at rest drives straight.
 class Drive {
  public:
   /// @param cell  in: where to look first, as that of the tick before; out: what was found. The same motion

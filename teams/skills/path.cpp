@@ -100,8 +100,8 @@ Obstacles obstacles_for(const kit::View& view, const kit::Robot& robot, const Or
     const world::DefenseArea& area = field.defense_area;
     const double x = sign * field.half_length();
     if (area.shape == world::DefenseArea::Shape::QuarterCircles) {
-      // Two discs cover the area but for a lens of at most stretch^2 / (8 radius) = 3 cm, taken into the
-      // margin.
+      // Two discs cover the area but for a lens of at most stretch^2 / (8 radius) = 3 cm,
+      // taken into the margin.
       const double radius = area.radius + own_radius + margin;
       obstacles.add({{x, area.stretch / 2}, radius, true});
       obstacles.add({{x, -area.stretch / 2}, radius, true});

@@ -17,8 +17,8 @@ constexpr double slow = 0.4;          // [m/s] such a ball is fetched
 constexpr double soon = 0.4;          // [s]
 constexpr double on_its_line = 0.25;  // [m] beside it: wait there rather than running away along it
 
-// The robot is beside the ball's line, the ball soon there: how far it goes on along the line before it
-// rests.
+// The robot is beside the ball's line, the ball soon there: how far it goes on along
+// the line before it rests.
 struct Passing {
   double beside = 0;  // [m]
   Meeting meeting;

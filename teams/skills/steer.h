@@ -20,8 +20,8 @@ class Steering {
   std::array<int, world::max_robot_number + 1> cells_{};  // of Drive: where to look first, no more
 };
 
-/// Takes from a velocity what would run into another robot: towards it at most as fast as can still be
-/// braked.
+/// Takes from a velocity what would run into another robot: towards it at most as fast
+/// as can still be braked.
 ///
 /// @param margin  air to keep [m]
 Vector2d without_collisions(const kit::View& view, const kit::Robot& robot, Vector2d velocity, double margin);

@@ -1,5 +1,5 @@
-// No part of a tick allocates memory once the game is warm, but where the referee decides something: counted,
-// not believed.
+// No part of a tick allocates memory once the game is warm, but where the referee decides something:
+// counted, not believed.
 
 #include "tests/bench/allocations.h"
 

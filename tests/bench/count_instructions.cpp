@@ -1,6 +1,6 @@
-// Runs each part of a tick over a recorded game under callgrind, which counts: scripts/instructions reads the
-// counts. The players are the plainest ones, so that changes of teams and skills count in the row "team"
-// only.
+// Runs each part of a tick over a recorded game under callgrind, which counts:
+// scripts/instructions reads the counts. The players are the plainest ones, so that changes of teams and
+// skills count in the row "team" only.
 
 #include <valgrind/callgrind.h>
 

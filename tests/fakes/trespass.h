@@ -22,9 +22,9 @@
 
 /// What a team might try on host, runner, the other team and the results; each tells whether it could have.
 ///
-/// Nothing is harmed where it succeeds: signals are only asked for, files opened and not changed. In a
-/// process view of its own, where the first process is bubblewrap's, everything that is seen is killed in
-/// earnest.
+/// Nothing is harmed where it succeeds: signals are only asked for, files opened and not changed.
+/// In a process view of its own, where the first process is bubblewrap's, everything that is
+/// seen is killed in earnest.
 namespace fakes {
 
 class Trespass {

@@ -6,8 +6,8 @@
 #include "tests/fuzz/support.h"
 #include "tests/fuzz/target.h"
 
-// Frames, each a record, are written as a recording with all that guards it, and then played: damage that
-// looks whole.
+// Frames, each a record, are written as a recording with all that guards it, and then played:
+// damage that looks whole.
 bool fuzz::recorded_game(std::string_view bytes) {
   const std::filesystem::path file = scratch() / "fuzzed.replies";
   try {

@@ -1,5 +1,5 @@
-// Writes the seeds of tests/fuzz/corpus, each by our own writers: make_corpus FOLDER. Leaves other files
-// alone.
+// Writes the seeds of tests/fuzz/corpus, each by our own writers: make_corpus FOLDER.
+// Leaves other files alone.
 #include <filesystem>
 #include <fstream>
 #include <iostream>

@@ -5,8 +5,8 @@
 #include <random>
 #include <string>
 
-// Ways to change an input that leave its frame whole, so that a change gets past lengths and checksums to the
-// decoder.
+// Ways to change an input that leave its frame whole, so that a change gets past lengths and
+// checksums to the decoder.
 namespace fuzz {
 
 using Random = std::minstd_rand;

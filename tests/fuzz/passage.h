@@ -8,8 +8,8 @@
 
 namespace fuzz {
 
-/// Two thirds of a second of two against two: the ball rolls over the touch line off a robot that drives
-/// after it.
+/// Two thirds of a second of two against two: the ball rolls over the touch line off a
+/// robot that drives after it.
 struct Passage {
   struct Tick {
     truth::Frame truth;

@@ -5,10 +5,10 @@
 /// One function per decoder of bytes from outside, named as its line in targets.txt, its file fuzz_NAME.cpp
 /// and its folder corpus/NAME.
 ///
-/// Each gives the bytes to the decoder, and what comes out to those who take it in the programs, as far as
-/// that is bounded. What a decoder does not understand it must say the way its header promises; anything else
-/// (another exception, an assert, a report of a sanitizer, a sentence that does not name the file) is a
-/// finding.
+/// Each gives the bytes to the decoder, and what comes out to those who take it in the programs,
+/// as far as that is bounded. What a decoder does not understand it must say the way its header promises;
+/// anything else (another exception, an assert, a report of a sanitizer, a sentence that does not name
+/// the file) is a finding.
 ///
 /// @return whether the decoder understood the bytes
 namespace fuzz {

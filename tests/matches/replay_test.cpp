@@ -1,5 +1,5 @@
-// The log of a game, refereed again from what is in the file alone, gives the calls the embedded referee
-// gave.
+// The log of a game, refereed again from what is in the file alone, gives the calls the
+// embedded referee gave.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

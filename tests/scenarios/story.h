@@ -51,8 +51,8 @@ class Story {
   void put_ball(world::Vector2d place);
   /// The ball rolls straight to a place at constant speed [m/s]; it rests there.
   void roll(world::Vector2d to, double speed = 3.0);
-  /// A robot steps behind the ball, facing the target, and the ball leaves it; the touch is reported two
-  /// frames late.
+  /// A robot steps behind the ball, facing the target, and the ball leaves it;
+  /// the touch is reported two frames late.
   void kick(world::RobotId robot, world::Vector2d to, double speed = 3.0);
   /// A robot moves with the ball at its dribbler.
   void dribble(world::RobotId robot, world::Vector2d to, double speed = 1.0);
@@ -74,8 +74,8 @@ class Story {
   /// The host does not put the ball where it is wished.
   void refuse_placement() { host_places_ball_ = false; }
   void hide_ball(bool hidden = true) { ball_hidden_ = hidden; }
-  /// From INIT through the first kickoff into GAME_ON: yellow 1 taps the ball and steps back, yellow 2 has
-  /// touched it.
+  /// From INIT through the first kickoff into GAME_ON: yellow 1 taps the ball and steps back,
+  /// yellow 2 has touched it.
   void begin();
 
   // --- What came of it ---

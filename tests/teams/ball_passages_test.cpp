@@ -130,9 +130,9 @@ TEST(Receive, TakesAChipBetweenItsHopsOrRolling) {
     stage.put_ball({0.8, 1.5}, {3, 0}, 3);  // lands after 0.61 s and 1.8 m
     got += stage.gets_the_ball(5);
   }
-  // A hop that comes down at the robot bounces off it now and then, and the filter finds the flight of a ball
-  // that nobody kicked late. 26 of 40 when written, 32 with the filter before; three standard deviations
-  // less.
+  // A hop that comes down at the robot bounces off it now and then, and the filter finds the
+  // flight of a ball that nobody kicked late. 26 of 40 when written, 32 with the filter before;
+  // three standard deviations less.
   EXPECT_GE(got, 17);
 }
 

@@ -75,8 +75,8 @@ TEST(TurnDribble, TheBallMovesOnItsCircleWhateverTheTurn) {
   for (const double rate : {5.0, -5.0}) {
     const TurnCircle circle = turn_circle(5);
     const Vector2d centre = carrying_velocity(robot, circle, rate, 0.0215);
-    // Velocity of the point of the rigid body where the ball is: centre's plus rate times its place turned
-    // left.
+    // Velocity of the point of the rigid body where the ball is: centre's plus rate times
+    // its place turned left.
     const Vector2d ball = centre + rate * Vector2d(0, 0.0945);
     EXPECT_NEAR(ball.norm(), 5 * circle.radius, 1e-12);
     // phi is the angle from the direction of travel to the heading, towards the inside.

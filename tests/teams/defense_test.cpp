@@ -140,8 +140,8 @@ TEST(Defense, ASingleRobotInTheWallTakesTheSideTheGoalieLeaves) {
   EXPECT_NEAR(behind_each_other, 0, 1e-12);
   goalie.position.y() = 0.2;
   const Vector2d place = wall_position(view, 0, 1);
-  // On the line from the ball to a point 0.15 m beside the goal's middle, but for the last 5 mm out of the
-  // area.
+  // On the line from the ball to a point 0.15 m beside the goal's middle, but for the
+  // last 5 mm out of the area.
   EXPECT_NEAR(place.y() / (place.x() + 1.5), -0.15 / -3.0, 0.005 / 1.5);
   goalie.position.y() = -0.2;
   EXPECT_NEAR(wall_position(view, 0, 1).y(), -place.y(), 1e-12);

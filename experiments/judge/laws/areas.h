@@ -31,12 +31,11 @@ class Areas {
   std::array<Open, 2> open_;  // defender, attacker
 };
 
-/// A goalie that keeps the ball in its own area for too long (Law 12): touches it without letting go for half
-/// a second.
+/// A goalie that keeps the ball in its own area for too long (Law 12): touches it without
+/// letting go for half a second.
 ///
-/// Margin  two bands: who holds the ball for so long does not do it by a hair. Near misses: let go in the
-/// last
-///         two bands of time.
+/// Margin  two bands: who holds the ball for so long does not do it by a hair. Near misses:
+///         let go in the last two bands of time.
 class KeeperHolds {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);

@@ -9,9 +9,9 @@ namespace judge {
 
 /// A robot made the ball faster than it may be (Law 12): the greatest speed between two touches, in space.
 ///
-/// Margin  the speed beyond the limit; of a ball that the next robot stopped sooner than after 0.2 s so much
-/// less
-///         as it flew shorter. In both cases a band is what the ball went farther than at the limit: 40 mm.
+/// Margin  the speed beyond the limit; of a ball that the next robot stopped sooner than after 0.2 s
+///         so much less as it flew shorter. In both cases a band is what the ball went farther
+///         than at the limit: 40 mm.
 class BallSpeed {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);

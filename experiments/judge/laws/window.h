@@ -8,8 +8,8 @@
 
 namespace judge {
 
-/// The least and greatest of what was added in the last `length`; nothing is known before that much time has
-/// been covered.
+/// The least and greatest of what was added in the last `length`; nothing is known before that much
+/// time has been covered.
 class Window {
  public:
   explicit Window(world::Duration length = {}) : length_(length) {}

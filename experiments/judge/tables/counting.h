@@ -64,8 +64,8 @@ struct GoalClasses {
   GoalClasses(std::span<const GameResult> games, const std::string& shadow);
 };
 
-/// Whether that shadow looks by other rules or is another program: then every event is compared, not exits
-/// alone.
+/// Whether that shadow looks by other rules or is another program: then every event is
+/// compared, not exits alone.
 bool is_other_referee(const std::string& shadow);
 /// Whether it can call that event at all.
 bool may_call(const std::string& shadow, Event event);

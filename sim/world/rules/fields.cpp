@@ -3,8 +3,8 @@
 namespace world {
 
 std::vector<NamedField> other_fields() {
-  // RoboCup 2014, whose games are in the paper's Figure 9 (R-R15-16): 8090 mm by 6050 mm, everything else as
-  // in 2015.
+  // RoboCup 2014, whose games are in the paper's Figure 9 (R-R15-16): 8090 mm by 6050 mm,
+  // everything else as in 2015.
   Field field_2014;
   field_2014.length = 8.09;
   field_2014.width = 6.05;

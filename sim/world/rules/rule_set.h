@@ -9,8 +9,8 @@
 
 namespace world {
 
-/// Which touch algorithms vote (the paper's of 6.5.2, and ours); a touch is reported when any of them sees
-/// one.
+/// Which touch algorithms vote (the paper's of 6.5.2, and ours); a touch is reported
+/// when any of them sees one.
 struct TouchAlgorithms {
   bool accel = false;
   bool line = false;
@@ -21,8 +21,8 @@ struct TouchAlgorithms {
       false;  ///< line and backtrack with the tests of the authors' code (requirements I-23, I-24)
 };
 
-/// Every limit, distance, time and dimension the referee uses. A rule set is a value of this type in a file
-/// of its own.
+/// Every limit, distance, time and dimension the referee uses. A rule set is a value of this
+/// type in a file of its own.
 struct RuleSet {
   std::string name;
   Field field;

@@ -7,8 +7,8 @@
 namespace automaton {
 namespace {
 
-// R-6.4-4: a turnstile. A coin unlocks it, a push goes through and locks it; it closes by itself when it is
-// full.
+// R-6.4-4: a turnstile. A coin unlocks it, a push goes through and locks it;
+// it closes by itself when it is full.
 struct Turnstile {
   bool open = false;
   int inside = 0;

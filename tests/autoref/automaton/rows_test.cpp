@@ -1,5 +1,5 @@
-// One test per row of the paper's Tables 10 to 18: command, new location, what changes, and that nothing else
-// does.
+// One test per row of the paper's Tables 10 to 18: command, new location, what changes,
+// and that nothing else does.
 #include "tests/autoref/automaton/rows.h"
 
 #include <set>
@@ -354,8 +354,8 @@ TEST(PaperRows, T18_cIsAlwaysIndirectAsPrinted) {
   EXPECT_FALSE(automaton.state().is_kickoff);
 }
 
-// R-6.4-2: a touch, the exit it explains, and the end of the half that was waiting for a stoppage, in one
-// tick.
+// R-6.4-2: a touch, the exit it explains, and the end of the half that was waiting for a
+// stoppage, in one tick.
 TEST_F(Rows, ThreeTransitionsHappenInOneTick) {
   given(Location::GameOn).stage_end = now - 1s;
   const std::vector<Occurrence> what = {seen(world::BallLeftFieldTouchLine{{}, {1, 3.0215}}),

@@ -1,5 +1,5 @@
-// One test per row that the paper lacks: penalty kicks (R-R15-15), extra time and shoot-out (R-8-10), cards
-// (I-9).
+// One test per row that the paper lacks: penalty kicks (R-R15-15), extra time and shoot-out
+// (R-8-10), cards (I-9).
 #include "tests/autoref/automaton/rows.h"
 
 namespace automaton {

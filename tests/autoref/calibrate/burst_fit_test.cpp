@@ -65,8 +65,8 @@ TEST(BurstFit, OfBurstsAloneFindsNoSingleMisses) {
   EXPECT_NEAR(fit.length.value, 20, 4 * fit.length.error);
 }
 
-// Gaps that nobody could follow to their end tell what they were: here every gap is cut after at most 10
-// images.
+// Gaps that nobody could follow to their end tell what they were: here every gap is cut
+// after at most 10 images.
 TEST(BurstFit, UsesGapsThatStayedOpen) {
   const Gaps whole = gaps_of({0.02, 0.002, 25}, 200'000, 4);
   Gaps cut;

@@ -178,8 +178,8 @@ TEST_F(Calibrate, MeasuresARealGame) {
   };
   EXPECT_EQ(number("cameras"), 2);
   EXPECT_NEAR(number("camera_height"), 6.14, 0.01);
-  // Published for cameras of the league: tenths of a millimetre to 1.5 mm; 2 to 10 mrad; biases of
-  // centimetres.
+  // Published for cameras of the league: tenths of a millimetre to 1.5 mm; 2 to 10 mrad;
+  // biases of centimetres.
   EXPECT_GT(number("robot_sigma"), 0.0003);
   EXPECT_LT(number("robot_sigma"), 0.0015);
   EXPECT_GT(number("orientation_sigma"), 0.002);

@@ -65,8 +65,8 @@ TEST(BallLeftField, ARobotCarriesAHiddenBallOut) {
   }
 }
 
-// A robot holds it 25 mm from the line for a second, unseen or believed elsewhere, then kicks it out at 2
-// m/s.
+// A robot holds it 25 mm from the line for a second, unseen or believed elsewhere,
+// then kicks it out at 2 m/s.
 TEST(BallLeftField, AnExitThatNobodySawIsDatedBackAlongTheWayOutside) {
   for (const bool believed_elsewhere : {false, true}) {
     BallLeftField detector(rules());
@@ -87,8 +87,8 @@ TEST(BallLeftField, AnExitThatNobodySawIsDatedBackAlongTheWayOutside) {
   }
 }
 
-// Kicked 20 mm before the line, a chip is shown beyond it at once; a ball that rolls out is out, kicked or
-// not.
+// Kicked 20 mm before the line, a chip is shown beyond it at once; a ball that rolls out
+// is out, kicked or not.
 TEST(BallLeftField, WaitsWhileAKickedBallMayFly) {
   for (const bool rolled_out : {false, true}) {
     BallLeftField detector(rules());

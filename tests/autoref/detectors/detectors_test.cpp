@@ -193,8 +193,8 @@ TEST(NoProgress, CountsAnySecondNotOnlyWholeOnes) {
 }
 
 TEST(NoProgress, KnowsThatAHiddenBallGoesAlongWithARobot) {
-  // Carried at 0.3 m/s, seen for a moment every two seconds only, as by a slow robot with its back to the
-  // camera.
+  // Carried at 0.3 m/s, seen for a moment every two seconds only, as by a slow robot with
+  // its back to the camera.
   for (const bool carried : {true, false}) {
     NoProgress detector(rules());
     std::size_t events = 0;

@@ -1,5 +1,5 @@
-// What the scenarios cannot measure of the offences: speeds, times, blame, and the catalogue against rule
-// sets.
+// What the scenarios cannot measure of the offences: speeds, times, blame, and the
+// catalogue against rule sets.
 #include <gtest/gtest.h>
 
 #include <cmath>

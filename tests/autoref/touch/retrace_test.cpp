@@ -127,9 +127,9 @@ TEST(Retrace, DoesNotTakeAFlightOverARobotForATouch) {
   EXPECT_GT(found.probability[slot(yellow_1)], 0.9);
 }
 
-// A rolling ball comes off a hull with a hop of 26 mm. A camera that stands 2 m beside it and 4 m high shows
-// it up to 13 mm aside, and where it lands a bend of 0.3 m/s, as if the robot that stands there had pushed
-// it.
+// A rolling ball comes off a hull with a hop of 26 mm. A camera that stands 2 m beside it and 4 m
+// high shows it up to 13 mm aside, and where it lands a bend of 0.3 m/s, as if the robot that
+// stands there had pushed it.
 TEST(Retrace, DoesNotTakeTheEndOfAHopForATouch) {
   world::Geometry geometry;
   geometry.cameras = {{.id = 1, .position = {-0.2, -2, 4}}};  // images of 0: nothing is hidden in them

@@ -286,8 +286,8 @@ TEST(TouchDetector, BacktrackAndLineDateTheTouchTwoFramesBack) {
     EXPECT_EQ(out[0].position, Vector2d(0.1115 + 0.06 * (k - 2), 0));
     EXPECT_EQ(out[0].probability, 1);
   }
-  // Four samples are there from tick 13; at 15 the oldest is 0.23 m away, one frame back 0.17, two back 0.11:
-  // no.
+  // Four samples are there from tick 13; at 15 the oldest is 0.23 m away, one frame
+  // back 0.17, two back 0.11: no.
   EXPECT_EQ(reported, (std::vector<std::int64_t>{13, 14}));
 }
 

@@ -41,8 +41,8 @@ TEST(AirFilter, FindsAFlightFromExactPlacesOnTheGround) {
 }
 
 TEST(AirFilter, IsHonestAboutNoise) {
-  // Noise as the filter assumes, kick point wrong by its sigma: mean square 1 per number, errors as sigma
-  // says.
+  // Noise as the filter assumes, kick point wrong by its sigma: mean square 1 per
+  // number, errors as sigma says.
   world::RandomStream noise(3, "air");
   double sum = 0, normalised = 0;
   int count = 0, flights = 0;

@@ -68,8 +68,8 @@ TEST(BallEkf, JacobianIsThatOfTheMotion) {
     BallEkf ball = moving_ball();
     const Matrix4d expected = f * covariance(ball) * f.transpose();
     ball.predict(dt, model);
-    // Central differences err by h^2 times the third derivative: 1e-12 of the largest entry, 4e-3; factor
-    // 100.
+    // Central differences err by h^2 times the third derivative: 1e-12 of the largest
+    // entry, 4e-3; factor 100.
     EXPECT_LT((covariance(ball) - expected).cwiseAbs().maxCoeff(), 1e-11) << "dt " << dt;
   }
 }

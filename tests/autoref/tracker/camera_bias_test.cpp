@@ -45,8 +45,8 @@ TEST(CameraBias, FindsTheOffsetsOfAChainOfCameras) {
       bias.compare(camera, camera - 1, truth[c] - truth[c - 1] + wobble, 6e-7, at(n));
     }
   }
-  // A camera's offset against its neighbour: 0.8 mm noise over hundreds of measurements, drift lets it
-  // forget.
+  // A camera's offset against its neighbour: 0.8 mm noise over hundreds of
+  // measurements, drift lets it forget.
   for (std::size_t c = 1; c < 6; ++c) {
     const int camera = static_cast<int>(c);
     const Vector2d found = bias.estimate(camera) - bias.estimate(camera - 1);

@@ -62,8 +62,8 @@ TEST(HiddenBall, IsWithTheOtherRobotWhenTheOneThatSeemedToHaveItTurnsAndShowsNon
       robots[1].angular_velocity = 60 * turn;
       hidden.advance(frame(n), robots);
     }
-    // Blue's back reaches 17 mm farther than its front and pushes the ball aside; blue's front is 0.19 m
-    // away.
+    // Blue's back reaches 17 mm farther than its front and pushes the ball aside;
+    // blue's front is 0.19 m away.
     EXPECT_LT((hidden.best(frame(63), robots).position - ball).norm(), 0.07) << turn;
   }
 }
@@ -81,8 +81,8 @@ TEST(HiddenBall, IsWithARobotThatWasNearWhenItsOwnWayIsInViewAndEmpty) {
 }
 
 TEST(HiddenBall, IsOutsideAsFarAsItsHypothesesAre) {
-  // Blue holds it on the touch line, its front towards the camera's blind side: one hypothesis, known to 15
-  // mm.
+  // Blue holds it on the touch line, its front towards the camera's blind side:
+  // one hypothesis, known to 15 mm.
   const world::Field field;
   for (const double beyond : {-0.015, 0.0, 0.015}) {
     const double y = -field.half_width() - field.ball_radius - beyond;

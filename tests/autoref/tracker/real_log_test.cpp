@@ -19,8 +19,8 @@ std::filesystem::path real_log() {
   return std::filesystem::path(SOURCE_DIR) / "../shared/data/robocup2022_kiks_vs_erforce_5s.log";
 }
 
-// Five seconds of a real game (RoboCup 2022, two cameras at 73 Hz, 12 m x 9 m): finite, in order, one ball,
-// two teams.
+// Five seconds of a real game (RoboCup 2022, two cameras at 73 Hz, 12 m x 9 m):
+// finite, in order, one ball, two teams.
 TEST(Tracker, FollowsARealGame) {
   if (!std::filesystem::exists(real_log())) GTEST_SKIP() << "no " << real_log();
   world::Geometry geometry;

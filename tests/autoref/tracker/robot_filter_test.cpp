@@ -33,8 +33,8 @@ TEST(Axis, SteadyGainSolvesTheRiccatiEquation) {
     before = axis;
     axis.update(0, r);
   }
-  // The steady prediction covariance P solves P = F (P - P H' (HPH'+R)^-1 H P) F' + Q: check by one more
-  // turn.
+  // The steady prediction covariance P solves P = F (P - P H' (HPH'+R)^-1 H P) F' + Q:
+  // check by one more turn.
   const double s = before.xx + r;
   const double xx = before.xx - before.xx * before.xx / s;
   const double xv = before.xv - before.xx * before.xv / s;
@@ -70,10 +70,10 @@ TEST(RobotFilter, WithoutHeadingStillFollowsThePosition) {
   EXPECT_TRUE(std::isfinite(filter.heading()));
 }
 
-// Honesty in game-like motion with the noise of `measured`: the innovations are as large as the filter says.
-// Bands of issue 4: mean per degree of freedom 0.8 to 1.25, at most 1 % above the 99.9 % bound. 60 robots of
-// 20 s give 72 000 innovations; the mean of independent chi-squares would scatter by 0.4 %, so the seed does
-// not matter.
+// Honesty in game-like motion with the noise of `measured`: the innovations are as large as the filter
+// says. Bands of issue 4: mean per degree of freedom 0.8 to 1.25, at most 1 % above the 99.9 % bound.
+// 60 robots of 20 s give 72 000 innovations; the mean of independent chi-squares would scatter by 0.4 %,
+// so the seed does not matter.
 TEST(RobotFilter, IsHonestInGameLikeMotion) {
   const Params params;
   world::RandomStream noise(7, "noise");

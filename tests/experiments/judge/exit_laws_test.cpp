@@ -94,8 +94,8 @@ TEST(Exits, EndPlayUntilItIsRestartedUnlessTheyWereClose) {
   }
 }
 
-// A kick from beside the line, and the referee notices it some ticks later: the ball left the field all the
-// same.
+// A kick from beside the line, and the referee notices it some ticks later:
+// the ball left the field all the same.
 TEST(Exits, CountFromTheKickThoughTheRefereeNoticesItLater) {
   for (const int noticed : {2, 3, 6}) {  // it is out in the second tick
     Story story;

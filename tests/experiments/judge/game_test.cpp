@@ -16,8 +16,8 @@ TEST(PlayJudged, ChangesNothingAndRemakesTheRefereesOwnEyes) {
   const record::MatchRecord alone = host::play(config);
   ASSERT_EQ(alone.termination, record::Termination::Finished) << alone.reason;
 
-  // The first shadow has cameras, filter and touch detection of its own, with the game's numbers; the second
-  // sees worse.
+  // The first shadow has cameras, filter and touch detection of its own, with the game's numbers;
+  // the second sees worse.
   const GameResult judged =
       play_judged({"it", config, {parse_shadow("vision.delay=1"), parse_shadow("vision.ball_sigma=0.005")}});
   EXPECT_EQ(judged.hash, alone.hash);

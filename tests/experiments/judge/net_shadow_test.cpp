@@ -104,8 +104,8 @@ class OutsideAutoref : public ::testing::Test {
 
 TEST_F(OutsideAutoref, IsHeardAndChangesNothing) {
   const record::MatchRecord alone = host::play(config_);
-  // Ten times as fast as real: its packets come every 1.7 ms, which is what such a program can take under
-  // load.
+  // Ten times as fast as real: its packets come every 1.7 ms, which is what such a
+  // program can take under load.
   const std::string name = "net@20:" + fakes::bin_dir() + "/fake-autoref";
   const GameResult judged = play_judged({"it", config_, {parse_shadow(name)}});
   EXPECT_EQ(judged.fault, "");

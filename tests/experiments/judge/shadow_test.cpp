@@ -1,5 +1,5 @@
-// A referee's detectors beside the acting one: in its states, a little longer, with a last touch of their
-// own.
+// A referee's detectors beside the acting one: in its states, a little longer,
+// with a last touch of their own.
 #include "experiments/judge/shadow.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@ using world::Location;
 constexpr world::RobotId yellow_1{world::Team::Yellow, 1};
 constexpr world::RobotId blue_4{world::Team::Blue, 4};
 
-/// The default referee beside one that signals what is set here; the ball rolls over the touch line when
-/// told.
+/// The default referee beside one that signals what is set here; the ball rolls over
+/// the touch line when told.
 class Shadows : public ::testing::Test {
  protected:
   Shadows() : shadow_("it", world::Geometry{}, world::rule_set("ssl-2015")) {

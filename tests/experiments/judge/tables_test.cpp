@@ -50,8 +50,8 @@ const Table& table(const std::vector<Table>& all, const std::string& name) {
 }
 
 TEST(Tables, CountAsThePaperDid) {
-  // Its own figures (reference "requirements", 1.6): 132 of 158 right is [.770, .885]; ten false exits from
-  // chips.
+  // Its own figures (reference "requirements", 1.6): 132 of 158 right is [.770, .885];
+  // ten false exits from chips.
   GameResult result = game();
   for (int n = 0; n < 158; ++n) result.cases.push_back(exit_case(true, n < 132, 0.9));
   for (int n = 0; n < 12; ++n) {

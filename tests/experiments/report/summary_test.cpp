@@ -94,8 +94,8 @@ TEST(Summary, CountsGamesThatAreCopies) {
   EXPECT_EQ(summarise(example_header(), games).repeated_games, 1);
 }
 
-// Pair means 1.5 and 1.5 from (3, 0) and (-1, 4): the legs move against each other, but two pairs say
-// nothing.
+// Pair means 1.5 and 1.5 from (3, 0) and (-1, 4): the legs move against each other,
+// but two pairs say nothing.
 TEST(Summary, TestsTheGoalDifferenceOverPairs) {
   std::vector<record::Attempt> games;
   for (int pair = 0; pair < 4; ++pair) {

@@ -8,8 +8,8 @@
 namespace stats {
 namespace {
 
-// The intervals of the paper's Table 7, first row (reference "harness", 2.5), printed with one decimal of a
-// percent.
+// The intervals of the paper's Table 7, first row (reference "harness", 2.5), printed with
+// one decimal of a percent.
 TEST(Wilson, GivesTheIntervalsOfThePapersTable) {
   const Interval wins = wilson(114, 300);
   EXPECT_NEAR(wins.low * 100, 32.7, 0.05);

@@ -23,8 +23,8 @@ TEST(SignTest, OfAnEvenSplitIsOne) {
 }
 
 TEST(SignTest, StillWorksForManyGames) {
-  // 5200 of 10000: z = (5200 - 0.5 - 5000) / 50 = 3.99, two-sided normal tail 6.6e-5; the exact value is
-  // near.
+  // 5200 of 10000: z = (5200 - 0.5 - 5000) / 50 = 3.99, two-sided normal tail 6.6e-5;
+  // the exact value is near.
   EXPECT_NEAR(sign_test(5200, 4800), 6.6e-5, 0.1e-5);
 }
 

@@ -186,8 +186,8 @@ TEST(Watch, ComparesAAndBAgainstThePanel) {
   }
   const Standing standing = only(design, games);
   EXPECT_EQ(standing.decision, Decision::AcceptH1);
-  // The difference of the two means is 1.5 goals; 8 pairs of 4 games each: error sqrt(2.5 / 4 / 8), three
-  // times.
+  // The difference of the two means is 1.5 goals; 8 pairs of 4 games each:
+  // error sqrt(2.5 / 4 / 8), three times.
   EXPECT_NEAR(standing.score.mean, 1.5, 3 * std::sqrt(2.5 / 4 / standing.pairs));
 }
 
@@ -232,8 +232,8 @@ constexpr double most_errors = 46.0 / tests;
 TEST(SequentialErrors, OfGoalDifferencesStayWithinTheirRates) {
   double pairs = 0;
   EXPECT_LE(accepts(sequential(), 1, 1, tests), most_errors);
-  // h1 = 0.4: difference 0.4 sqrt(a + b) for Poisson goals; 1.2 - 0.6 is 0.447, 1.183 - 0.646 the point
-  // itself.
+  // h1 = 0.4: difference 0.4 sqrt(a + b) for Poisson goals; 1.2 - 0.6 is 0.447,
+  // 1.183 - 0.646 the point itself.
   EXPECT_GE(accepts(sequential(), 1.1854, 0.6443, tests, &pairs), 1 - most_errors);
   // Wald: 5.30 / t1^2 games, that is 16.6 pairs; looks from 8 pairs on every 4 add about half a batch.
   EXPECT_NEAR(pairs, 5.30 / 0.16 / 2, 5);

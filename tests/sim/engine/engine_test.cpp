@@ -293,8 +293,8 @@ TEST(Engine, EveryContinuationOfASnapshotHasTheSameBits) {
   EXPECT_NE(hash_of_passage(engine, 6, 300), first);
 }
 
-// Without touch there are no contact caches: noise, losses, delays, latencies, robots and ball go on as they
-// were.
+// Without touch there are no contact caches: noise, losses, delays, latencies, robots and
+// ball go on as they were.
 TEST(Engine, AContinuationIsTheOriginalWhileNothingTouches) {
   Engine engine(six_a_side("harsh", 3));
   hash_of_passage(engine, 3, 8);

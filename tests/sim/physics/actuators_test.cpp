@@ -287,8 +287,8 @@ TEST(Actuators, AsksForFullSpeedAreStillLimited) {
 }
 
 TEST(Actuators, GripDecidesWhereABallIsLost) {
-  // The rate at which a turn in place loses the ball goes with the root of the grip: the pull is what holds
-  // it.
+  // The rate at which a turn in place loses the ball goes with the root of the grip:
+  // the pull is what holds it.
   ActuatorErrors errors;
   errors.grip_sigma = 0.2;
   int lost = 0;

@@ -33,8 +33,8 @@ TEST(Contact, BallReboundsFromTheRoundSideAlongItsNormal) {
   EXPECT_LT(std::abs(arena.ball().velocity.y()), 0.02);  // 14 pieces: the middle one lies opposite the front
 }
 
-// Velocity of the ball in the first substep after which it has turned round along `axis`; null if it never
-// does.
+// Velocity of the ball in the first substep after which it has turned round along `axis`;
+// null if it never does.
 world::Vector3d after_rebound(Arena& arena, int axis) {
   const double sign = std::copysign(1.0, arena.ball().velocity[axis]);
   for (int i = 0; i < 240; ++i) {
@@ -49,9 +49,9 @@ constexpr int phases = 24;
 // Shoots a rolling ball from a place 0.1 m before the thing it hits, shifted by parts of what it covers in a
 // substep, and compares the share of its normal speed that it has afterwards.
 //
-// Against what does not move that is e. Bullet takes a contact up to a millimetre before it happens, and what
-// is left of the way is then missing from the rebound: so many of the phases may be off, and one more at each
-// end of them.
+// Against what does not move that is e. Bullet takes a contact up to a millimetre before it happens,
+// and what is left of the way is then missing from the rebound: so many of the phases may be off,
+// and one more at each end of them.
 void expect_restitution(const Vector2d& from, const Vector2d& direction, double speed, double e) {
   int exact = 0;
   for (int phase = 0; phase < phases; ++phase) {
@@ -144,8 +144,8 @@ TEST(Contact, TheCrossbarStopsAChipFromBelowAndFromTheFront) {
 }
 
 TEST(Contact, AChipOverTheBarDoesNotEnterTheGoal) {
-  // Over the goal line at 0.175 + 0.0215 m plus or minus 10 mm; under the bar it goes in, over it it does
-  // not.
+  // Over the goal line at 0.175 + 0.0215 m plus or minus 10 mm; under the bar it goes
+  // in, over it it does not.
   for (const double height : {0.2065, 0.12}) {
     Arena arena;
     const double time = 0.2 / 3;

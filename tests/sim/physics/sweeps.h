@@ -6,8 +6,8 @@
 #include "sim/physics/hull.h"
 #include "tests/sim/physics/arena.h"
 
-/// How a sweep went: the deepest overlap seen at the end of a substep [m], and shots that came out on the
-/// other side.
+/// How a sweep went: the deepest overlap seen at the end of a substep [m], and shots that came
+/// out on the other side.
 struct Sweep {
   double worst = 0;
   int through = 0;
@@ -83,8 +83,8 @@ inline Sweep shots_at_wall(double speed, const physics::Params& params = {}) {
   return sweep;
 }
 
-/// From inside the goal at its back and sides, from in front of it at the posts, from outside at its sides
-/// and back.
+/// From inside the goal at its back and sides, from in front of it at the posts, from outside
+/// at its sides and back.
 inline Sweep shots_at_goal(double speed, const physics::Params& params = {}) {
   using world::Vector2d;
   const double length = params.solver.substep_length;

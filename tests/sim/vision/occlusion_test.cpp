@@ -180,9 +180,9 @@ TEST(Occlusion, ABallOnOrAboveRobotsIsNeverHidden) {
 }
 
 TEST(Occlusion, HalfIsHiddenWhereTheEdgePassesThroughTheMiddle) {
-  // A straight edge would leave half of the disc. The edge is an arc of radius R, 93 mm, which bends away
-  // from the ball: by y^2 / (2 R) at the distance y, r^2 / (6 R) in the mean over the chord of 2 r, 2.5 % of
-  // the disc.
+  // A straight edge would leave half of the disc. The edge is an arc of radius R, 93 mm,
+  // which bends away from the ball: by y^2 / (2 R) at the distance y, r^2 / (6 R) in the mean over the
+  // chord of 2 r, 2.5 % of the disc.
   const double scale = (4 - r) / (4 - 0.15);
   const double edge = 2 * scale + 0.09 * scale;  // the far end of the top's shadow at the ball's height
   const BallView view =

@@ -16,8 +16,8 @@ using vision::Params;
 using world::Vector2d;
 using world::Vector3d;
 
-// The pixel of a point [m] by the formula published for the geometry message (protocol.md, 2.1), nothing
-// else.
+// The pixel of a point [m] by the formula published for the geometry message
+// (protocol.md, 2.1), nothing else.
 Vector2d by_the_message(const wire::proto::SSL_GeometryCameraCalibration& calibration,
                         const Vector3d& point) {
   const Eigen::Quaterniond q(calibration.q3(), calibration.q0(), calibration.q1(), calibration.q2());

@@ -153,8 +153,8 @@ TEST(Geometry, QuarterCirclesBulgeIntoTheField) {
   for (const auto& arc : message.field().field_arcs()) {
     if (arc.name() == "CenterCircle") continue;
     const double middle = (static_cast<double>(arc.a1()) + static_cast<double>(arc.a2())) / 2;
-    // The middle of the arc is nearer to the centre mark than the arc's centre, and farther from the goal's
-    // axis.
+    // The middle of the arc is nearer to the centre mark than the arc's centre,
+    // and farther from the goal's axis.
     EXPECT_LT(std::cos(middle) * static_cast<double>(arc.center().x()), 0) << arc.name();
     EXPECT_GT(std::sin(middle) * static_cast<double>(arc.center().y()), 0) << arc.name();
     EXPECT_NEAR(static_cast<double>(arc.a2() - arc.a1()), std::numbers::pi / 2, 1e-6)

@@ -182,8 +182,8 @@ TEST(ProtoSchema, EveryEnumIsTheLeagues) {
 }
 
 TEST(ProtoSchema, NothingOfTheLeagueIsMissing) {
-  // What only clients of the game controller use (reference "protocol", 2.9 and 2.10). We have no such
-  // client.
+  // What only clients of the game controller use (reference "protocol", 2.9 and 2.10).
+  // We have no such client.
   const std::set<std::string> left_out = {"ControllerReply",
                                           "Signature",
                                           "AutoRefRegistration",
