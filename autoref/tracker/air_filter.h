@@ -25,7 +25,8 @@ class AirFilter {
   /// A ball in the air at `place` [m], z known to `sigma` [m], with any velocity.
   AirFilter(const Vector3d& place, double sigma);
 
-  /// Lets time pass. @pre dt >= 0 [s]
+  /// Lets time pass.
+  /// @pre dt >= 0 [s]
   void predict(double dt);
   /// Something struck the ball where it is: any velocity along the ground, about the same rise.
   void strike();
@@ -36,7 +37,9 @@ class AirFilter {
     double nis = 0;      ///< chi-square with 2 degrees of freedom
     double log_det = 0;  ///< of the innovation's covariance in units of the measurement variance
   };
-  /// Takes in a place on the ground. @param camera [m]  @param r [m^2] variance per axis
+  /// Takes in a place on the ground.
+  /// @param camera [m]
+  /// @param r [m^2] variance per axis
   Fit update(const Vector2d& seen, const Vector3d& camera, double r);
   /// What `update` would find, leaving the filter as it is.
   double nis(const Vector2d& seen, const Vector3d& camera, double r) const;

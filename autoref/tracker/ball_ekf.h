@@ -27,7 +27,8 @@ struct BallEkf {
   Matrix2d cross_cov = Matrix2d::Zero();     ///< [m^2/s] rows position, columns velocity
   Matrix2d velocity_cov = Matrix2d::Zero();  ///< [m^2/s^2]
 
-  /// Lets time pass. @pre dt >= 0 [s]
+  /// Lets time pass.
+  /// @pre dt >= 0 [s]
   void predict(double dt, const BallModel& model);
 
   /// Takes in a measured position of variance `r` [m^2] per axis.

@@ -26,7 +26,9 @@ class BallFilter {
   /// Starts anew: position from one measurement, velocity known to `velocity_sigma` [m/s].
   void start(const Vector2d& position, const Vector2d& velocity, double velocity_sigma);
 
-  /// Lets time pass. @param dt [s], >= 0  @param near_robot  a robot may be touching the ball
+  /// Lets time pass.
+  /// @param dt [s], >= 0
+  /// @param near_robot  a robot may be touching the ball
   void predict(double dt, bool near_robot);
 
   /// The next measurements are so much [m] less certain than others; 0: as certain.

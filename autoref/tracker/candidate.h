@@ -24,7 +24,8 @@ class Candidate {
         older_time_(time),
         newer_time_(time) {}
 
-  /// True when the sighting continues the chain. @param max_speed [m/s]
+  /// True when the sighting continues the chain.
+  /// @param max_speed [m/s]
   bool continues(const Vector2d& position, world::Time time, double max_speed) const;
   /// @pre continues(position, time, ...)
   void add(const Vector2d& position, world::Time time);

@@ -23,14 +23,21 @@ class HiddenBall {
   bool active() const { return count_ > 0; }
   void clear() { count_ = 0; }
 
-  /// It was lost at `time`, moving as given. @param robots  foretold to `time`
+  /// It was lost at `time`, moving as given.
+  /// @param robots  foretold to `time`
   void start(const BallFilter::Motion& motion, world::Time time, std::span<const world::TrackedRobot> robots);
-  /// Another frame without a ball. @param robots  foretold to `time`  @pre active
+  /// Another frame without a ball.
+  /// @param robots  foretold to `time`
+  /// @pre active
   void advance(world::Time time, std::span<const world::TrackedRobot> robots);
 
-  /// Where it most likely is. @pre active  @param robots  foretold to `time`
+  /// Where it most likely is.
+  /// @pre active
+  /// @param robots  foretold to `time`
   BallFilter::Motion best(world::Time time, std::span<const world::TrackedRobot> robots) const;
-  /// The probability that it is wholly beyond the lines. @pre active  @param robots  foretold to `time`
+  /// The probability that it is wholly beyond the lines.
+  /// @pre active
+  /// @param robots  foretold to `time`
   double outside(world::Time time, std::span<const world::TrackedRobot> robots) const;
   /// The hypothesis nearest to a place; nothing when none is within `tolerance` [m].
   std::optional<BallFilter::Motion> nearest(const Vector2d& place, double tolerance, world::Time time,

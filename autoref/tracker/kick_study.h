@@ -43,7 +43,9 @@ class KickStudy {
   KickStudy(const KickStudy& flight, world::Time latest, const Vector2d& seen,
             std::optional<world::RobotId> by);
 
-  /// Takes in a sighting. @param camera [m]  @pre later than the kick and than the last one
+  /// Takes in a sighting.
+  /// @param camera [m]
+  /// @pre later than the kick and than the last one
   /// What is around the ball when it is seen.
   struct Surroundings {
     bool partly_hidden = false;  ///< a robot may hide a part of it, which moves the middle of what is seen

@@ -18,7 +18,8 @@ struct Axis {
   double v = 0;                   ///< [u/s]
   double xx = 0, xv = 0, vv = 0;  ///< covariance
 
-  /// Lets time pass. @param q spectral density of the acceleration [u^2/s^3]
+  /// Lets time pass.
+  /// @param q spectral density of the acceleration [u^2/s^3]
   void predict(double dt, double q) {
     x += v * dt;
     xx += dt * (2 * xv + dt * vv) + q * dt * dt * dt / 3;

@@ -34,7 +34,8 @@ class RobotTrack {
   void age(world::Time now);
   void reset() { known_ = false, candidate_.reset(), odd_headings_ = 0; }
 
-  /// Where it should be at an instant. @pre known()
+  /// Where it should be at an instant.
+  /// @pre known()
   void foretell(world::Time time, world::TrackedRobot& out) const;
 
  private:

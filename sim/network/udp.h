@@ -71,7 +71,8 @@ class UdpSocket {
 
   /// The next datagram that has come; nothing when there is none.
   std::optional<Datagram> receive();
-  /// Sends one datagram. @returns false when the system refused it, e.g. without a route
+  /// Sends one datagram.
+  /// @returns false when the system refused it, e.g. without a route
   bool send(std::string_view bytes, const Address& to);
 
  private:

@@ -34,7 +34,8 @@ class World {
   const world::RobotSpecs& specs(std::size_t robot) const;
   bool is_present(std::size_t robot) const;
 
-  /// What the robot does from the next substep on. @pre all numbers finite
+  /// What the robot does from the next substep on.
+  /// @pre all numbers finite
   void set_command(std::size_t robot, const world::RobotCommand& command);
 
   /// Advances by one substep (1/240 s by default); appends what happened, with `end` as its time.

@@ -13,7 +13,8 @@ struct Area {
   bool contains(const world::Vector2d& point) const {
     return point.x() >= min_x && point.x() <= max_x && point.y() >= min_y && point.y() <= max_y;
   }
-  /// The point at two shares, 0..1, of the sides. @pre the area is finite
+  /// The point at two shares, 0..1, of the sides.
+  /// @pre the area is finite
   world::Vector2d at(double share_x, double share_y) const {
     return {min_x + share_x * (max_x - min_x), min_y + share_y * (max_y - min_y)};
   }

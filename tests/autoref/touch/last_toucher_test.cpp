@@ -129,7 +129,8 @@ TEST(LastToucher, MakesDoWithTrackedFrames) {
 }
 
 /// The probability that blue touched last a ball that yellow kicked to it and that is hidden there from 0.1 m
-/// before the touch line until it is well outside. @param heard  whether the paper's three name blue
+/// before the touch line until it is well outside.
+/// @param heard  whether the paper's three name blue
 double hidden_over_the_line(bool heard) {
   LastToucher detector{world::Geometry{}};
   const double line = world::Field{}.half_width();

@@ -18,7 +18,8 @@ struct Placed {
   double orientation = 0;
 };
 
-/// Images of a ball that is at `course(t)`, among standing robots. @param told  who touched it at first
+/// Images of a ball that is at `course(t)`, among standing robots.
+/// @param told  who touched it at first
 Retraced way(
     double seconds, const std::function<Vector2d(double)>& course, const std::vector<Placed>& robots,
     std::size_t told, const std::function<bool(double)>& hidden = [](double) { return false; },

@@ -20,7 +20,8 @@ struct Honesty {
   double position_rms = 0;  // [m]
 };
 
-/// Follows 200 balls for 2 s each from the third sighting on. @param settle  frames not counted at the start
+/// Follows 200 balls for 2 s each from the third sighting on.
+/// @param settle  frames not counted at the start
 Honesty follow(bool slides, double min_speed, double max_speed, int settle) {
   const Params params;
   world::RandomStream stream(3, "balls");
