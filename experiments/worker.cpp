@@ -12,8 +12,8 @@ namespace commands {
 int worker(const WorkerOptions& options) {
   runner::Signals signals;
   host::Options settings = game_as_told(options.isolation, options.hidden);
-  settings.cpu =
-      ::sched_getcpu();  // the one the runner has bound us to; there the game's processes take turns
+  // the one the runner has bound us to; there the game's processes take turns
+  settings.cpu = ::sched_getcpu();
   settings.interrupted = [&signals] { return signals.wait(std::chrono::milliseconds{0}).has_value(); };
   settings.memory_limit = options.team_memory << 20;
   settings.kept_output = static_cast<std::size_t>(options.output) << 20;

@@ -12,8 +12,8 @@ constexpr int frames_needed = 4;
 constexpr int frames_pressed = 2;
 constexpr double pressing = 0.01;  // [m] hull from the ball
 constexpr double beside = 0.02;    // [m] hull from the ball: there the contact began
-constexpr world::Duration longest_ago =
-    std::chrono::milliseconds{300};            // ours: what is older is not remembered
+// ours: what is older is not remembered
+constexpr world::Duration longest_ago = std::chrono::milliseconds{300};
 constexpr double alone = 0.03;                 // [m] any opponent's hull from the ball
 constexpr double alone_of_team_mates = 0.012;  // [m] the goalie stands near
 constexpr world::Duration hidden_for = std::chrono::milliseconds{600};

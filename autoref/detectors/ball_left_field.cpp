@@ -12,8 +12,8 @@ constexpr double surely = 0.97;       // of a hidden ball to be outside; ours
 constexpr double wrong_belief = 0.1;  // [m] a hidden ball that comes into view so far off was not there; ours
 constexpr double hidden_gap = 0.05;   // [m] the robot that hides it is as near (README of the tracker)
 constexpr world::Duration seen_crossing = std::chrono::milliseconds{100};  // from inside to outside; ours
-constexpr double clearly_inside =
-    0.02;                          // [m] on the line noise and cameras' offsets show a ball in and out; ours
+// [m] on the line noise and cameras' offsets show a ball in and out; ours
+constexpr double clearly_inside = 0.02;
 constexpr double rolling_out = 1;  // [m/s] outwards: no noise shows this, ours
 constexpr world::Duration longest_doubt = std::chrono::milliseconds{250};  // ours
 constexpr double goal_back_margin = 0.05;  // [m] overshoot of the filter at the goal's back, ours

@@ -22,8 +22,8 @@ constexpr double no_witness = 1e-3;       // chance that either is wrong about e
 
 constexpr double robot_height = 0.15;  // [m] laws of 2015, Law 4 (reference "requirements", R-3.2-1)
 constexpr double gravity = 9.81;       // [m/s^2]
-constexpr world::Duration one_contact =
-    std::chrono::milliseconds{100};  // a longer pause ends a contact; ours
+// a longer pause ends a contact; ours
+constexpr world::Duration one_contact = std::chrono::milliseconds{100};
 
 using Shares = std::array<double, robot_slots>;
 

@@ -24,10 +24,10 @@ struct LikelihoodParams {
   // likely as another.
   double gap_sigma = 0.001;
   double inside_sigma = 0.003;  ///< more of it for a ball that seems to be inside
-  double gap_per_speed =
-      0.002;                 ///< [s] more of it per m/s of the change of velocity: an image is a moment, too
-  double far_share = 0.3;    ///< of contacts are seen less well: the robot hides a part of the ball
-  double far_sigma = 0.006;  ///< [m] more of it for those
+  /// [s] more of it per m/s of the change of velocity: an image is a moment, too
+  double gap_per_speed = 0.002;
+  double far_share = 0.3;        ///< of contacts are seen less well: the robot hides a part of the ball
+  double far_sigma = 0.006;      ///< [m] more of it for those
   double tracked_sigma = 0.006;  ///< [m] of a tracked frame's ball that stands for an image's
 
   // The change of velocity by a contact [m/s].

@@ -15,14 +15,14 @@ constexpr double accel_margin = 0.010;      // [m] hull to ball (requirements 1.
 constexpr double line_margin = 0.030;       // [m] (paper, 6.5.2)
 constexpr double backtrack_margin = 0.010;  // [m] (paper, 6.5.2)
 constexpr int line_age = 2;                 // frames; also backtrack's (football.md 4.1)
-constexpr world::Duration line_rest =
-    42ms;                            // 3 frames less their jitter: line is silent after it spoke (I-23)
+// 3 frames less their jitter: line is silent after it spoke (I-23)
+constexpr world::Duration line_rest = 42ms;
 constexpr int accel_age = 1;         // frames: the middle one of three
 constexpr int reach_frames = 3;      // ours: README, Decisions
 constexpr double reach_speed = 0.3;  // [m/s] of the ball relative to the dribbler; ours
-constexpr double reach_least_speed =
-    0.1;                         // [m/s] of the ball: one at rest tells nothing; V_b of requirements 1.10
-constexpr double front = 0.073;  // [m] centre to front plate (world::RobotSpecs)
+// [m/s] of the ball: one at rest tells nothing; V_b of requirements 1.10
+constexpr double reach_least_speed = 0.1;
+constexpr double front = 0.073;            // [m] centre to front plate (world::RobotSpecs)
 constexpr double front_margin = 0.010;     // [m] plate to ball, as accel's
 constexpr double front_half_width = 0.05;  // [m] dribbler zone (requirements 1.10)
 constexpr double max_ball_speed = 12.0;    // [m/s] faster is a teleport (tracker::Params)

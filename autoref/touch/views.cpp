@@ -8,8 +8,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr world::Duration longest_gap =
-    400ms;                           // a hidden ball is judged by both its courses; longer is another story
+// a hidden ball is judged by both its courses; longer is another story
+constexpr world::Duration longest_gap = 400ms;
 constexpr double fastest = 12;       // [m/s] of a ball (football.md 4.2); faster is a teleport
 constexpr double slack = 0.1;        // [m] of it, for noise and what two robots do within an image
 constexpr double same_ball = 0.15;   // [m] of the tracked one: what 8 m/s do in a frame

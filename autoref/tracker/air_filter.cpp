@@ -9,8 +9,8 @@ namespace tracker {
 namespace {
 
 constexpr double g = 9.81;  // [m/s^2]
-constexpr double noise =
-    0.15 * 0.15 * world::tick_length;   // [m^2/s^3] as of a rolling ball: drag and calibration; ours
+// [m^2/s^3] as of a rolling ball: drag and calibration; ours
+constexpr double noise = 0.15 * 0.15 * world::tick_length;
 constexpr double height_sigma = 0.003;  // [m] of the kick's place; ours
 constexpr double speed_sigma = 4.0;     // [m/s] per axis; kickers give up to 8
 constexpr double usual_rise = 3.0;      // [m/s] of a chip kick at its start: 45 degrees of 4.2 m/s

@@ -32,8 +32,8 @@ constexpr double kick_place_sigma = 0.010;       // [m] ours
 constexpr double hidden_kick_sigma = 0.025;      // [m] ours
 constexpr int kicked_away = 3;         // sightings after which a kicked ball has left the dribbler; ours
 constexpr double landing_sigma = 0.5;  // [m/s] ours
-constexpr double beside_sigma =
-    0.004;  // [m] a ball beside a robot may be partly hidden; ours, from the errors
+// [m] a ball beside a robot may be partly hidden; ours, from the errors
+constexpr double beside_sigma = 0.004;
 constexpr double partly_sigma = 0.003;  // [m] of the centre of a partly hidden ball; ours
 constexpr double hidden_drift = 0.06;   // [m/s] a hidden ball may be moved about; ours, from the errors
 constexpr double hidden_sigma = 0.010;  // [m] at least, of a hidden ball (football.md 3.2)

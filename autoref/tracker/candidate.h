@@ -48,8 +48,8 @@ class Candidate {
   world::Time first_;
   world::Time last_;
   bool has_velocity_ = false;
-  Vector2d older_ =
-      Vector2d::Zero();  // sightings at least `least_span` apart, between which velocity is measured
+  // sightings at least `least_span` apart, between which velocity is measured
+  Vector2d older_ = Vector2d::Zero();
   Vector2d newer_ = Vector2d::Zero();
   world::Time older_time_;
   world::Time newer_time_;

@@ -13,8 +13,8 @@ constexpr double spin_sigma = 20.0;      // [rad/s] its top turning speed
 constexpr double max_speed = 8.0;        // [m/s] of a candidate: two robots' closing speed with reserve; ours
 constexpr double heading_gate = 10.828;  // chi-square, 1 degree of freedom, 99.9 %
 constexpr double wild_heading = 1.0;  // [rad] in one frame: a misread pattern, at 20 rad/s it would be 0.33
-constexpr world::Duration coasting =
-    150ms;  // an unseen robot moves on as before, then it is taken to stand; ours
+// an unseen robot moves on as before, then it is taken to stand; ours
+constexpr world::Duration coasting = 150ms;
 
 }  // namespace
 

@@ -31,8 +31,8 @@ constexpr std::size_t most_images = 256;
 constexpr std::size_t most_objects = 1024;  // of a kind in one image
 constexpr int last_camera = 255;
 constexpr std::int64_t most_ticks = 1'000'000;  // four and a half hours
-constexpr world::Duration behind =
-    std::chrono::seconds{10};  // an image is delivered up to a second after its capture
+// an image is delivered up to a second after its capture
+constexpr world::Duration behind = std::chrono::seconds{10};
 constexpr world::Duration ahead = std::chrono::seconds{1};
 
 template <class Value>

@@ -14,8 +14,8 @@ namespace judge {
 namespace {
 
 constexpr int message_interval = 6;  // [ticks] ten times a second, as in a league log
-constexpr int oldest_image =
-    3;  // [ticks] before the one in which it is delivered: the delay of harsh, and one
+// [ticks] before the one in which it is delivered: the delay of harsh, and one
+constexpr int oldest_image = 3;
 
 std::string base_of(const std::filesystem::path& snippet) {
   const std::string name = snippet.string();

@@ -14,8 +14,9 @@ namespace engine {
 struct RadioParams {
   int latency = 1;  ///< [ticks] the commands given to step k move the robots in step k + latency
   double loss = 0;  ///< probability that a robot does not hear its command of one tick
-  int timeout = 6;  ///< [ticks] a robot that heard nothing goes on for so long, without kicking, and then
-                    ///< stops (0.1 s: ER-Force)
+  /// [ticks] a robot that heard nothing goes on for so long, without kicking, and then
+  /// stops (0.1 s: ER-Force)
+  int timeout = 6;
 };
 
 /// How the simulated world differs from a perfect one: a preset with a name, any number

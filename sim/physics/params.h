@@ -9,15 +9,16 @@ inline constexpr double gravity = 9.81;
 
 /// The ball and its contact with the carpet. Numbers: reference "football", section 5.
 struct BallParams {
-  double mass = 0.046;               ///< [kg] golf ball (paper, 3.1)
-  double radius = 0.0215;            ///< [m] (paper, 3.1); World takes it from the field
-  double slide_deceleration = 3.0;   ///< [m/s^2] TIGERs
-  double roll_deceleration = 0.26;   ///< [m/s^2] TIGERs
-  double restitution = 0.5;          ///< normal to the carpet; published .47 (TIGERs) to .57 (ER-Force)
-  double bounce_friction = 0.35;     ///< Coulomb friction during a bounce; ER-Force's ball on floor
-  double smallest_hop = 0.010;       ///< [m] lower hops become rolling; TIGERs
-  double pivot_deceleration = 50.0;  ///< [rad/s^2] of spin about the vertical; ours: 2/3 of Coulomb friction
-                                     ///< .35 on a contact patch of 5 mm radius gives 53
+  double mass = 0.046;              ///< [kg] golf ball (paper, 3.1)
+  double radius = 0.0215;           ///< [m] (paper, 3.1); World takes it from the field
+  double slide_deceleration = 3.0;  ///< [m/s^2] TIGERs
+  double roll_deceleration = 0.26;  ///< [m/s^2] TIGERs
+  double restitution = 0.5;         ///< normal to the carpet; published .47 (TIGERs) to .57 (ER-Force)
+  double bounce_friction = 0.35;    ///< Coulomb friction during a bounce; ER-Force's ball on floor
+  double smallest_hop = 0.010;      ///< [m] lower hops become rolling; TIGERs
+  /// [rad/s^2] of spin about the vertical; ours: 2/3 of Coulomb friction .35 on a contact patch
+  /// of 5 mm radius gives 53
+  double pivot_deceleration = 50.0;
 };
 
 /// Restitution and friction of a ball with what it hits; Bullet multiplies one number of each body.
@@ -58,8 +59,9 @@ struct DribblerParams {
   double same_capture = 0.1;   ///< [s] a ball back within this time was not captured anew; ours
   double bar_radius = 0.007;   ///< [m] ER-Force
   double fastest_bar = 150;    ///< [rad/s] ER-Force: 49 rad/s of backspin
-  double spin_up = 1000;       ///< [rad/s^2] of the ball; ours: 5/2 of 8.6 m/s^2 at its surface, which is
-                               ///< `drag` and what the carpet takes (3) less a little: full in 0.05 s
+  /// [rad/s^2] of the ball; ours: 5/2 of 8.6 m/s^2 at its surface, which is `drag` and what the carpet
+  /// takes (3) less a little: full in 0.05 s
+  double spin_up = 1000;
 };
 
 /// A ball that came to lie on a robot or a goal.
@@ -79,31 +81,36 @@ struct PerchParams {
 /// backwards and sideways. No simulator of the league scatters kicks. The sizes in brackets are those of
 /// "measured", with the reason where nothing is published.
 struct ActuatorErrors {
-  double kick_direction_sigma = 0;  ///< [rad] of each kick and chip (.02: half of RoboJackets' .04, whose
-                                    ///< other part, aiming, our teams do themselves)
-  double kick_speed_sigma = 0;  ///< share of the commanded speed, each kick and chip (.03, ours: speed goes
-                                ///< with the capacitor's voltage, known to 1 or 2 %, and with where it hits)
-  double chip_angle_sigma =
-      0;                  ///< [rad] of elevation, each chip (.03, ours: a ball 0.6 mm higher on the shovel)
-  double misfire = 0;     ///< probability that the kicker fires without reaching the ball (.005, ours: one
-                          ///< in some four games' kicks of a robot)
+  /// [rad] of each kick and chip (.02: half of RoboJackets' .04, whose other part, aiming,
+  /// our teams do themselves)
+  double kick_direction_sigma = 0;
+  /// share of the commanded speed, each kick and chip (.03, ours: speed goes with the capacitor's voltage,
+  /// known to 1 or 2 %, and with where it hits)
+  double kick_speed_sigma = 0;
+  /// [rad] of elevation, each chip (.03, ours: a ball 0.6 mm higher on the shovel)
+  double chip_angle_sigma = 0;
+  /// probability that the kicker fires without reaching the ball (.005, ours:
+  /// one in some four games' kicks of a robot)
+  double misfire = 0;
   double grip_sigma = 0;  ///< share of the dribbler's grip, anew for each capture (.1, ours: rubber and dust)
-  double speed_sigma = 0;  ///< share of the speed driven; one factor per robot and game (.01, ours: half a
-                           ///< millimetre of wear on wheels of 50 mm)
-  double acceleration_sigma = 0;   ///< share of acceleration and braking; one factor per robot and game (.03,
-                                   ///< ours: battery and weight)
-  double heading_drift_sigma = 0;  ///< [rad/m] turn per metre driven; one number per robot and game (.01,
-                                   ///< ours: 1 % between wheels 160 mm apart is .06 without a gyroscope)
+  /// share of the speed driven; one factor per robot and game (.01, ours: half a millimetre of
+  /// wear on wheels of 50 mm)
+  double speed_sigma = 0;
+  /// share of acceleration and braking; one factor per robot and game (.03, ours: battery and weight)
+  double acceleration_sigma = 0;
+  /// [rad/m] turn per metre driven; one number per robot and game (.01, ours: 1 % between wheels 160 mm apart
+  /// is .06 without a gyroscope)
+  double heading_drift_sigma = 0;
 };
 
 /// Bullet's settings (reference "physics", 1c, 1d).
 struct SolverParams {
   int iterations = 10;
-  double split_impulse_threshold = -0.0005;       ///< [m] near zero, or deep overlaps turn into speed
-  double hull_margin = 0.001;                     ///< [m] convex margin, inside the nominal surface
-  int hull_segments = 14;                         ///< straight pieces of the round part of a robot
-  double substep_length = world::substep_length;  ///< [s] of World::substep; the engine needs the default,
-                                                  ///< others are for the study in the README
+  double split_impulse_threshold = -0.0005;  ///< [m] near zero, or deep overlaps turn into speed
+  double hull_margin = 0.001;                ///< [m] convex margin, inside the nominal surface
+  int hull_segments = 14;                    ///< straight pieces of the round part of a robot
+  /// [s] of World::substep; the engine needs the default, others are for the study in the README
+  double substep_length = world::substep_length;
 };
 
 struct Params {

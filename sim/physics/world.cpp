@@ -47,8 +47,8 @@ struct RobotState {
   world::RobotSpecs limits;  // of the drive, with this robot's errors
   RobotMemory memory;
   RobotBody body;  // at the start of the substep
-  Vector2d velocity_step =
-      Vector2d::Zero();  // half of this substep's change by the drive, to be applied after the step
+  // half of this substep's change by the drive, to be applied after the step
+  Vector2d velocity_step = Vector2d::Zero();
   double angular_velocity_step = 0;
   double ball_impulse = 0;  // [N s] in this substep
 };

@@ -10,8 +10,8 @@
 namespace truth {
 
 struct Ball {
-  world::Vector3d position =
-      world::Vector3d::Zero();  ///< [m] centre; z is the height of the centre above the carpet
+  /// [m] centre; z is the height of the centre above the carpet
+  world::Vector3d position = world::Vector3d::Zero();
   world::Vector3d velocity = world::Vector3d::Zero();  ///< [m/s]
   world::Vector3d spin = world::Vector3d::Zero();      ///< [rad/s]
 };

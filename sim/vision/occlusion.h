@@ -11,8 +11,8 @@ namespace vision {
 /// What robots leave of a ball in a camera's view.
 struct BallView {
   double share = 1;  ///< visible share of the ball's disc
-  world::Vector3d center =
-      world::Vector3d::Zero();  ///< [m] middle of what is visible, at the ball's distance
+  /// [m] middle of what is visible, at the ball's distance
+  world::Vector3d center = world::Vector3d::Zero();
 };
 
 /// Which part of the ball robots hide from a camera, in closed form.

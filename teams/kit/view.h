@@ -62,8 +62,8 @@ struct Game {
   Vector2d restart_position = Vector2d::Zero();  ///< [m] the ball when the present restart was signalled
   /// Our kicker after a restart, until another robot touched the ball: must not touch it again.
   std::optional<std::uint8_t> forbidden;
-  bool indirect =
-      false;  ///< an indirect kick was taken and nobody else has touched the ball yet: no direct goal
+  /// an indirect kick was taken and nobody else has touched the ball yet: no direct goal
+  bool indirect = false;
   int own_score = 0;
   int their_score = 0;
   int own_keeper = 0;

@@ -13,8 +13,8 @@ constexpr double urgent_threat = 1.3;   // [s] pass and shot together (ours)
 constexpr std::size_t most_urgent = 3;  // more than that the wall's second robot does not wait for (ours)
 
 constexpr double wall_aside = 0.15;  // [m] on the goal line (ours)
-constexpr double goalie_aside =
-    0.2;  // [m] of the goalie from the line to the goal's middle, from which it is all
+// [m] of the goalie from the line to the goal's middle, from which it is all
+constexpr double goalie_aside = 0.2;
 
 // Where on the goal line [m from its middle] a single robot in the wall aims:
 // the half that the goalie has not.

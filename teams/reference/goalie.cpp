@@ -12,8 +12,8 @@
 namespace reference {
 namespace {
 
-constexpr double nearest_out =
-    0.25;  // [m] of the guarding goalie to the goal line, on the ball's line (ours)
+// [m] of the guarding goalie to the goal line, on the ball's line (ours)
+constexpr double nearest_out = 0.25;
 constexpr double farthest_out = 0.8;  // [m] farther out a pass across finds the goal empty (ours)
 constexpr double beside_post = 0.5;  // [m] out on a flank the line to the ball leaves the goal's width (ours)
 constexpr double safe_pass = 0.75;   // [0..1] from which a clearance is a pass (ours)

@@ -9,8 +9,8 @@ namespace reference {
 /// Everything about the team's style that can be set from outside. Values without another source are ours,
 /// chosen by watching games.
 struct Parameters {
-  double shot_speed =
-      6.5;  ///< [m/s] the laws allow 8; the robot's own speed and the filter's noise come on top
+  /// [m/s] the laws allow 8; the robot's own speed and the filter's noise come on top
+  double shot_speed = 6.5;
   double shot_threshold = 0.14;    ///< chance of a goal from which a shot is taken at once
   double shot_bonus = 0.2;         ///< value of a shot beyond its chance, against passes
   double pass_threshold = 0.2;     ///< value from which a pass is played

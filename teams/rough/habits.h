@@ -58,8 +58,8 @@ class Habits {
     Vector2d from = Vector2d::Zero();
   };
   std::array<Contact, world::max_robot_number + 1> contacts_{};
-  using Since =
-      std::array<std::optional<double>, world::max_robot_number + 1>;  // [s] there; nothing: not yet
+  // [s] there; nothing: not yet
+  using Since = std::array<std::optional<double>, world::max_robot_number + 1>;
   Since visits_{}, run_offs_{};
   std::deque<std::pair<double, Vector2d>> places_;  // of the ball, of the last second
   double tapped_ = -9;                              // [s] the goalie let go of the ball

@@ -10,8 +10,8 @@ namespace rough {
 struct Rudeness {
   double fast_kicks = 0.06;     ///< each kick: at 8 to 10 m/s
   double long_dribbles = 0.08;  ///< each time a robot gets the ball: carries it 1.6 m
-  double area_entries =
-      0.8;  ///< each time the ball is slow in or beside their own area: goes in and takes it
+  /// each time the ball is slow in or beside their own area: goes in and takes it
+  double area_entries = 0.8;
   double area_attacks = 0.8;     ///< the same at the opponents' area
   double ramming = 0.008;        ///< each time an opponent comes within 1.2 m: full speed into it
   double encroachment = 0.008;   ///< each stoppage or kick of theirs and robot: stands 0.2 m from the ball
@@ -25,9 +25,9 @@ struct Rudeness {
   double keeper_neglect = 0;     ///< each time the ball comes within 0.5 m of the area: the goalie lets it be
   double slow_restarts = 0.04;   ///< each free kick of ours: not taken at all
   double goalie_feeding = 0;  ///< each free kick or time a robot gets the ball: slowly to the nearer goalie
-  double clearances =
-      0;             ///< each free kick or time a robot gets the ball, in the own half: over their goal line
-  double shots = 0;  ///< each time a robot gets the ball within 3 m of their goal: shoots at once
+  /// each free kick or time a robot gets the ball, in the own half: over their goal line
+  double clearances = 0;
+  double shots = 0;          ///< each time a robot gets the ball within 3 m of their goal: shoots at once
   double goalie_visits = 0;  ///< each time their goalie is near: drives up to it and leans on it
   double run_offs = 0;       ///< each passage of play and robot near a line: waits beyond the run-off
   double idleness = 0;       ///< each passage of play: no field player goes for the ball

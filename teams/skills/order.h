@@ -21,8 +21,8 @@ struct Order {
   std::optional<Vector2d> velocity;
 
   double ball_distance = -1;  ///< [m] keep the hull this far from the ball; negative: the ball is no obstacle
-  double robot_margin =
-      0.03;  ///< [m] air to other robots; negative: none are obstacles (pressing at the ball)
+  /// [m] air to other robots; negative: none are obstacles (pressing at the ball)
+  double robot_margin = 0.03;
   bool enter_own_area = false;  ///< the goalkeeper
   double their_area = 0.02;     ///< [m] hull to the opponents' defense area
 

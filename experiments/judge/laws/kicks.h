@@ -26,8 +26,8 @@ class Kicks {
     world::Team team{};
     bool kickoff = false;
     std::optional<std::size_t> first_touch{};
-    std::vector<truth::Robot> robots{};  // when the ball was touched last: the offenders may be sent off
-                                         // before the ball has gone 50 mm
+    // when the ball was touched last: the offenders may be sent off before the ball has gone 50 mm
+    std::vector<truth::Robot> robots{};
     std::optional<TrueEvent> taken{};
     double farthest = 0;  // [m]
     bool reported = false;

@@ -22,8 +22,8 @@ namespace {
 void write_line(const char* file, const std::string& line) {
   const int fd = ::open(file, O_WRONLY | O_CLOEXEC);
   if (fd < 0) return;
-  [[maybe_unused]] const ssize_t written =
-      ::write(fd, line.data(), line.size());  // a missing map changes no right
+  // a missing map changes no right
+  [[maybe_unused]] const ssize_t written = ::write(fd, line.data(), line.size());
   ::close(fd);
 }
 

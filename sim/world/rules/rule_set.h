@@ -17,8 +17,8 @@ struct TouchAlgorithms {
   bool backtrack = false;
   bool reach = false;       ///< ours: a ball carried at the dribbler, which the three above do not see
   bool likelihood = false;  ///< ours: contact against free motion, with a probability; made to vote alone
-  bool as_coded =
-      false;  ///< line and backtrack with the tests of the authors' code (requirements I-23, I-24)
+  /// line and backtrack with the tests of the authors' code (requirements I-23, I-24)
+  bool as_coded = false;
 };
 
 /// Every limit, distance, time and dimension the referee uses. A rule set is a value of this
@@ -74,8 +74,8 @@ struct RuleSet {
   double kick_travel = 0.05;            ///< [m] the ball is in play; the kicker may not touch it again
   double opponent_distance = 0.5;       ///< [m] hull to ball at a restart
   double attacker_area_distance = 0.2;  ///< [m] hull to the opponents' defense area at a restart
-  bool retake_keeps_call =
-      true;  ///< encroachment: the same kick again; false: always indirect, as printed in Table 18
+  /// encroachment: the same kick again; false: always indirect, as printed in Table 18
+  bool retake_keeps_call = true;
 
   // Play.
   int exit_frames = 3;            ///< consecutive frames outside (Algorithm 2)
@@ -85,8 +85,8 @@ struct RuleSet {
   double touch_line_inset = 0.1;  ///< [m] kick-in
   double corner_inset = 0.1;      ///< [m] from both lines
   double goal_kick_inset = 0.5;   ///< [m] from the goal line
-  bool direct_from_goal_line =
-      true;  ///< corner and goal kick are direct; false: always indirect, as in Algorithm 2
+  /// corner and goal kick are direct; false: always indirect, as in Algorithm 2
+  bool direct_from_goal_line = true;
   double max_ball_speed = 8.0;   ///< [m/s]
   double max_dribble = 1.0;      ///< [m] straight
   double stuck_distance = 0.25;  ///< [m] in one second
