@@ -18,9 +18,9 @@ struct BallFit {
   double across = 0;        ///< [m] and across it
 };
 
-/// Least squares of x(t) = x + v t - a t^2/2 along the way, and of the same with a second deceleration from
-/// an instant that is searched; two phases are believed when they make the residuals smaller by an F of 15
-/// and the second deceleration is the smaller one by 0.5 m/s^2.
+/// Least squares of x(t) = x + v t - a t^2 / 2 along the way, and of the same with a second deceleration from
+/// an instant that is searched for. Two phases are believed when they make the residuals smaller by an F of
+/// 15 and the second deceleration is the smaller one by 0.5 m/s^2.
 ///
 /// @pre  at least 8 sightings
 BallFit fit_ball(std::span<const Sighting> sightings);

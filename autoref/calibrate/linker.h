@@ -27,8 +27,11 @@ struct Track {
   double end() const { return sightings.back().time; }
 };
 
-/// How far an object may be from where its motion would have brought it in a time t: slack + min(speed t,
-/// reach) + drift t. Its motion goes on for `inertia`; unseen for `patience` its track has ended.
+/// How far an object may be from where its motion would have brought it in a time t:
+///
+///   slack + min(speed t, reach) + drift t
+///
+/// Its motion goes on for `inertia`; once it is unseen for `patience` its track has ended.
 struct Gate {
   double slack;     ///< [m]
   double speed;     ///< [m/s]

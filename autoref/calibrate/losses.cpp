@@ -36,7 +36,8 @@ bool stray_at(const Observations& seen, std::size_t camera, std::uint32_t image,
 // gap stays open where it comes to a place that does not count, and when the object, going on half as fast
 // again, could have left the camera's view. So long gaps count as well as short ones.
 //
-// counts(place, time): the object should be seen there; otherwise(image, place): it was, under another name.
+// counts(place, time)      the object should be seen there
+// otherwise(image, place)  it was seen, under another name
 void count_gaps(const CameraImages& camera, const Track& track, auto&& counts, auto&& otherwise, Gaps& gaps) {
   const auto& all = track.sightings;
   for (std::size_t i = 1; i < all.size(); ++i) {

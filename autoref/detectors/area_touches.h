@@ -13,14 +13,15 @@ namespace detectors {
 /// Who certainly touched the ball in play near a defense area, and where that robot was then.
 ///
 /// Touches that were reported as at least as probable as `sure`, and contact that lasts, which begins once
-/// and is not reported again:
+/// and is not reported again.
+///
 /// Carried  by one robot alone for four frames. Alone: no opponent within 30 mm, no team-mate within 12 mm,
-///          since the goalie stands beside a defender that offends.
-/// Pressed  between two robots for two frames: hulls within 10 mm of the ball on opposite sides of it. Where
-///          between them it is, nobody sees; but so narrow a gap leaves it no room that touches only one.
-/// Source  ours. A ball hidden for more than 0.6 s may be carried by anyone.
-///         10 mm are twice the error of a hidden ball at a hull; the contact is dated to when the hull came
-///         within 20 mm, 0.3 s back at most.
+///          since the goalie may stand beside a defender that offends.
+/// Pressed  between two robots for two frames: hulls within 10 mm of the ball on opposite sides of it. Nobody
+///          sees where between them it is, but in so narrow a gap it touches both.
+/// Source   ours. A ball hidden for more than 0.6 s may be carried by anyone. 10 mm is twice the error of a
+///          hidden ball at a hull. The contact is dated to when the hull came within 20 mm, at most 0.3 s
+///          back.
 class AreaTouches {
  public:
   struct One {

@@ -12,16 +12,16 @@ namespace detectors {
 /// Rule    laws of 2015, Law 9; paper, Algorithm 2: certain with the third observed frame outside in a row.
 /// Guard   distance outside the lines - ball radius  [m]
 /// Where   the point where the way from the last place inside to the present place crosses the boundary.
-/// Hidden  a robot that hides the ball carries it out: exit_frames_hidden in which it is surely outside, at a
-///         robot, make it certain.
+/// Hidden  a robot that hides the ball carries it out: it is certain after exit_frames_hidden frames in which
+///         the ball is surely outside, at a robot.
 /// Waits   for at most 250 ms while nobody can say whether a ball that has just been kicked flies, since a
-///         camera shows a ball in the air too far out; not for one that had rolled out before.
-/// When    interpolated; if nobody saw it cross the line, its way since it is outside, followed back.
-/// Resets  when the ball is inside; an exit is told again only after exit_frames in a row 20 mm inside. A
-///         ball between the posts is the goal detector's; here it counts neither as inside nor as outside
-///         until it is behind the goal (a chip over the bar).
-/// Source  Algorithm 2 with I-6 and I-25. Ours: after a jump that no ball can make, exit_frames_jump, since
-///         it is more likely a false ball; for a way through the goal's mouth exit_frames_mouth, since the
+///         camera shows a ball in the air too far out; does not wait for a ball that had rolled out before.
+/// When    interpolated; if nobody saw the ball cross the line, its way since it is outside is followed back.
+/// Resets  when the ball is inside; an exit is reported again only after exit_frames in a row 20 mm inside.
+///         A ball between the posts belongs to the goal detector: here it counts neither as inside nor as
+///         outside until it is behind the goal (a chip over the bar).
+/// Source  Algorithm 2 with I-6 and I-25. Ours: exit_frames_jump after a jump that no ball can make, since it
+///         is more likely a false ball; exit_frames_mouth for a way through the goal's mouth, since the
 ///         filter runs through the goal's back before it believes the bounce.
 class BallLeftField final : public Detector {
  public:

@@ -17,8 +17,8 @@ namespace detectors {
 ///         that would pass each other are none, nor are those whose places of the last 0.07 s do not show at
 ///         least half that speed (a jump of the filter).
 /// Blames  the robot whose own part of the closing speed is greater by crash_speed_difference; else both.
-/// Advantage (Law 5, decision 2) the victim's team touched the ball last, at most 2 s ago, and a team-mate of
-///         the victim is nearest to it: an event, no foul.
+/// Spares  an advantage (Law 5, decision 2): the victim's team touched the ball last, at most 2 s ago, and a
+///         team-mate of the victim is nearest to it. Then it is an event, but no foul.
 /// Resets  a pair is reported once until it is 50 mm apart again, and at most every 2 s.
 /// Source  numbers: reference "protocol", 6.3 and 6.4; the laws have had them since 2016.
 class Collision final : public Detector {

@@ -11,12 +11,13 @@ namespace detectors {
 ///
 /// Rule    laws of 2015, Law 9, decision 1: the kicker may bump the ball, but not touch it after it has
 ///         travelled 50 mm; not after a forced start.
-/// Certain when the ball was clear of the kicker for 3 observed frames (30 mm between hull and ball,
-///         farther than kick_travel from where it lay), and then (a) a touch by the kicker is
-///         dated after that, or (b) the kicker has carried it for four frames, seen or hidden;
-///         or (c) when it never was clear and is still at the kicker's dribbler,
-///         kick_travel and 30 mm away from where it lay, for the sixth observed frame in a row.
-///         The kick's own late or repeated touch reports (I-33) satisfy none.
+/// Certain in one of three cases; the kick's own late or repeated touch reports (I-33) satisfy none of them:
+///         (a) The ball was clear of the kicker for 3 observed frames (30 mm between hull and ball, farther
+///             than kick_travel from where it lay), and a touch by the kicker is dated after that.
+///         (b) The ball was clear as in (a), and then the kicker has carried it for four frames, seen or
+///             hidden.
+///         (c) The ball never was clear, and for the sixth observed frame in a row it is at the kicker's
+///             dribbler, kick_travel and 30 mm away from where it lay.
 /// Source  distances and frames are ours: in the recorded game of 2022 a kick that accelerated over 0.2 m
 ///         was in reach for three frames and reported as a touch again just after.
 class DoubleTouch final : public Detector {

@@ -13,8 +13,8 @@ namespace detectors {
 ///
 /// Rule    laws of 2015, Law 12, decision 5: at most 1 m, straight from where contact began.
 /// Guard   |ball - start of dribble| - max_dribble  [m], rising, one guard per robot in contact.
-/// Certain at once, or, if another robot was within 50 mm of the ball while it was hidden, or the ball seemed
-///         to be away from it then, when it is seen at this one: it may have changed hands (ours).
+/// Certain at once. But if, while the ball was hidden, another robot was within 50 mm of it or it seemed to
+///         be away from this robot, only when it is seen at this robot: another may have taken it (ours).
 /// Begins  when the ball is within 20 mm of the hull, 30 mm when nobody sees it, not in flight.
 /// Resets  when it is seen more than 30 mm away in two frames in a row: the law wants an observable
 ///         separation and says no number; 20 to 60 mm can be argued about (ours; the authors' code waits for

@@ -10,14 +10,14 @@ namespace detectors {
 /// POSSIBLE_GOAL: the whole ball crossed a goal line between the posts and under the bar.
 ///
 /// Rule    laws of 2015, Law 10. Whether the goal counts is the automaton's business.
-/// Guard   |x| - half length - ball radius  [m], rising, with the crossing between the posts
+/// Guard   |x| - half length - ball radius  [m], rising, with the crossing between the posts.
 /// Certain when the ball stayed in the goal for 9 frames, or came back out of it after 2 frames inside,
 ///         or has not been seen for half a second after it went in. Not a goal when it was seen behind
 ///         the back wall or beside the goal for 3 frames in a row (it flew over), or higher than the bar.
-///         These numbers are ours: a chip of 2.5 m/s needs 6 frames to pass over a goal,
-///         and a filter may run through the back wall for a frame or two.
+///         These numbers are ours: a chip of 2.5 m/s needs 6 frames to pass over a goal, and a filter may
+///         run through the back wall for a frame or two.
 ///         A ball that met a post and is then inside the goal went in through the mouth.
-///         One that comes out and goes in again within half a second is the same goal.
+///         A ball that comes out and goes in again within half a second is the same goal.
 /// Resets  when the ball is in the field again.
 class Goal final : public Detector {
  public:

@@ -11,10 +11,9 @@ namespace detectors {
 ///
 /// Rule    laws of 2015, Law 9 with decision 10 of Law 12: robots keep away while the referee controls the
 ///         ball. No punishment is named: it is noted. The measure is that of the later laws.
-/// Guard   stop_distance - distance_margin - (hull to the way from the ball to its place)  [m] for
-/// stop_grace,
-///         while the ball is not in its place. A ball that nobody sees is where the filter believes it; that
-///         a robot is out of the way is known when the ball is seen.
+/// Guard   stop_distance - distance_margin - (hull to the way from the ball to its place)  [m]
+///         for stop_grace, while the ball is not in its place. A ball that nobody sees is where the filter
+///         believes it to be; that a robot is out of the way is known only when the ball is seen.
 /// Resets  a robot is reported once per stoppage.
 /// Source  2 s and the distance to the segment: reference "protocol", 6.3 and 6.4.
 class InterferedPlacement final : public Detector {

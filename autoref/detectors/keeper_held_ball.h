@@ -8,9 +8,8 @@ namespace detectors {
 /// KEEPER_HELD_BALL: a goalie kept the ball in its area too long.
 ///
 /// Rule    laws of 2015, Law 12: more than 15 s of holding before it is released.
-/// Guard   time with the ball at the goalie - keeper_hold  [s]. At the goalie: within 15 mm of its hull, 30
-/// mm
-///         when nobody sees it, and in its defense area.
+/// Guard   time with the ball at the goalie - keeper_hold  [s]. At the goalie: within 15 mm of its hull
+///         (30 mm when nobody sees it) and in its defense area.
 /// Resets  when the ball has been away for half a second. While it is held, NO_PROGRESS_IN_GAME waits.
 /// Source  15 mm, 30 mm and the half second are ours: noise, and the observable separation of decision 5.
 class KeeperHeldBall final : public Detector {

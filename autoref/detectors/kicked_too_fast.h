@@ -13,9 +13,9 @@ namespace detectors {
 /// Rule    laws of 2015, Law 12: at most 8 m/s.
 /// Guard   way - (max_ball_speed t - a t^2 / 2)  [m]: between two of the last seven observed frames the ball
 ///         went at least surplus_way farther than a ball kicked at the limit, which slides and slows down by
-///         a; in at least three frames (I-30: not one), in each of them as a fast ball does, the filter
-///         agreeing. So a little too fast takes longer to see than much too fast, and a ball that jumps
-///         between cameras gets nowhere.
+///         a. This must be so in at least three frames (I-30: not one); in each of them the ball moves as a
+///         fast ball does, and the filter agrees. So a ball that is a little too fast takes longer to see
+///         than one that is much too fast, and a ball that jumps between cameras is not reported.
 /// Blames  the last toucher, when it touched the ball at most 0.1 s before it sped up; otherwise the robot
 ///         that was nearest when the ball sped up (ours); who took the kick when play began with it.
 /// Resets  when the ball is slow again.

@@ -14,9 +14,8 @@ namespace detectors {
 ///         placement_tolerance of its place (I-16), counted from the entry into GAME_OFF (I-15).
 ///         Something moves when both the filter and the mean over the last quarter of a second say so: the
 ///         filter's word of one instant shakes by more than V_b and V_r when cameras are bad.
-/// Guard   min(time since something moved or the ball was not in place - settled_for, ...)  [s], or the whole
-/// wait -
-///         settle_limit (I-17, "or after some time has passed").
+/// Guard   min(time since something moved or the ball was not in place - settled_for, ...)  [s],
+///         or the whole wait - settle_limit (I-17, "or after some time has passed").
 /// Kickoff the robots must also be in their own halves, and before the READY of a penalty where Law 14 wants
 ///         them; for that the referee waits twice the limit, because at half-time they drive over the whole
 ///         field (ours: 9 m at the 0.3 m/s of a slow team).

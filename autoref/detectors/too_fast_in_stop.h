@@ -12,8 +12,9 @@ namespace detectors {
 /// Rule    laws of 2015, Law 12, caution 9 and decision 10: at most 1.5 m/s, only while the command is STOP
 ///         (or GOAL, which counts as STOP).
 /// Guard   speed - stop_speed - stop_speed_margin  [m/s] for stop_violation, from stop_grace after the
-/// command. Resets  a robot is reported once per stoppage. Source  grace, margin and duration: reference
-/// "protocol", 6.4.
+///         command.
+/// Resets  a robot is reported once per stoppage.
+/// Source  grace, margin and duration: reference "protocol", 6.4.
 class TooFastInStop final : public Detector {
  public:
   explicit TooFastInStop(const world::RuleSet& rules)

@@ -20,9 +20,11 @@ using world::Vector2d;
 /// The first four report at most one touch per robot and frame; contact that lasts is reported again and
 /// again, since what counts is who touched last. A contributor needs as many consecutive frames as it looks
 /// back (accel 3, backtrack 4, line 6, reach 3), of the ball and of that robot; a gap in time starts its
-/// memory anew. `likelihood` also reports a touch it has reported before, with its old time, when its
-/// probability has changed, and an older one again when the newer turns out to be none: who reads touches in
-/// order always has the most likely last toucher.
+/// memory anew.
+///
+/// `likelihood` also reports a touch again, with its old time, when its probability has changed, and an older
+/// touch again when a newer one turns out to be none. So whoever reads touches in order always has the most
+/// likely last toucher.
 class TouchDetector {
  public:
   TouchDetector(const world::Geometry& geometry, world::TouchAlgorithms algorithms);

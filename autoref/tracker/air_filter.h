@@ -12,9 +12,13 @@ using world::Vector3d;
 /// Gaussian belief about a ball in the air: position and velocity in space, from where
 /// cameras see it on the ground.
 ///
-/// A camera at c, H above the ball's resting place, shows a ball at p and height z at g with
-/// p + z (g - c) / H = g: linear in what is not known, so this is a plain Kalman filter. Where the ball comes
-/// down it bounces and goes on.
+/// A camera at c, H above the ball's resting place, shows a ball at p and height z at the ground point g:
+///
+///   p + z (g - c) / H = g
+///
+/// This is linear in what is not known, so this is a plain Kalman filter. Where the ball comes down it
+/// bounces and goes on.
+///
 /// Source  football.md 3.3 (projection, bounces); gravity 9.81 m/s^2; the bounce's Jacobian by the usual rule
 ///         for a jump at an uncertain instant.
 class AirFilter {

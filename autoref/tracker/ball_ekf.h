@@ -17,8 +17,9 @@ struct BallModel {
 
 /// Gaussian belief about a ball on the ground: position and velocity, with covariance in 2 x 2 blocks.
 ///
-/// Extended Kalman filter: v' = v - min(a dt, |v|) v/|v|, p' by the mean of both velocities, exactly also
-/// when the ball comes to rest within the step. The Jacobian includes the friction.
+/// Extended Kalman filter: v' = v - min(a dt, |v|) v/|v|, and p' by the mean of both velocities, which is
+/// exact even when the ball comes to rest within the step. The Jacobian includes the friction.
+///
 /// Source  Simon, "Optimal State Estimation", 2006, Sec. 13.2; football.md 3.2.
 struct BallEkf {
   Vector2d position = Vector2d::Zero();      ///< [m]

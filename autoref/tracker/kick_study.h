@@ -39,18 +39,18 @@ class KickStudy {
   /// The same for the ball of a flight that something struck since its last sighting, at `latest` or before:
   /// it is in the air still, as surely as it was.
   /// @param seen [m] where the last sighting showed it on the ground
-  /// @param by  the robot that may have been it
+  /// @param by  the robot that may have struck it
   KickStudy(const KickStudy& flight, world::Time latest, const Vector2d& seen,
             std::optional<world::RobotId> by);
 
-  /// Takes in a sighting.
-  /// @param camera [m]
-  /// @pre later than the kick and than the last one
   /// What is around the ball when it is seen.
   struct Surroundings {
     bool partly_hidden = false;  ///< a robot may hide a part of it, which moves the middle of what is seen
     std::optional<world::RobotId> under{};  ///< the robot below a ball in the air, on which it may bounce
   };
+  /// Takes in a sighting.
+  /// @param camera [m]
+  /// @pre later than the kick and than the last one
   void see(const Vector2d& seen, world::Time time, const Vector3d& camera, const Surroundings& around);
 
   /// True when some hypothesis expects this sighting.

@@ -23,10 +23,13 @@ std::size_t game_count(const Design& design);
 /// The order is pair by pair, in each pair condition by condition, in each condition leg by leg, so that a
 /// schedule cut short has treated all conditions alike.
 ///
-/// Seed: a hash of the design's seed, the pair and the leg, not of the condition, so that conditions share
-/// their random numbers. Leg 0: A is blue; leg 1: A is yellow. Two bits of the pair number say which end blue
-/// defends and who kicks off first, the same in both legs: with all of it exchanged under one seed the second
-/// leg would be the first one with the names exchanged.
+/// Seed   a hash of the design's seed, the pair and the leg, not of the condition, so that conditions share
+///        their random numbers
+/// Leg 0  A is blue
+/// Leg 1  A is yellow
+///
+/// Two bits of the pair number say which end blue defends and who kicks off first, the same in both legs:
+/// with all of it exchanged under one seed the second leg would be the first one with the names exchanged.
 ///
 /// @pre index < game_count(design)
 Game game(const Design& design, std::size_t index);

@@ -40,8 +40,8 @@ class TomlTable {
   std::optional<std::vector<TomlTable>> tables(const std::string& key);
 
   /// Gives `take` every number whose key was not asked for yet, here and in tables inside, together with its
-  /// name
-  /// ("vision.ball_sigma") from here, and with table and key for complaints. Anything else there is rejected.
+  /// name from here ("vision.ball_sigma"), and with table and key for complaints. Anything else there is
+  /// rejected.
   void numbers(const std::function<void(const std::string& name, double value, TomlTable& table,
                                         const std::string& key)>& take);
 

@@ -27,9 +27,9 @@ struct FreePath {
 
 /// The path from the ball's state after the kick, in closed form.
 ///
-/// Along the carpet: slides with `ball_slide_deceleration` to `ball_switch_ratio` of its speed, then rolls. A
-/// chip flies without air, keeps 5/7 of its speed along the carpet where it lands, and rolls; later bounces
-/// are left out (they end where the rolling ball does, within some centimetres).
+/// Along the carpet: slides with `ball_slide_deceleration` to `ball_switch_ratio` of its speed, then rolls.
+/// Chip: flies without drag, keeps 5/7 of its speed along the carpet where it lands, then rolls.
+/// Later bounces are left out: they end where the rolling ball does, within some centimetres.
 FreePath free_path(const truth::Kick& kick, const world::Geometry& geometry);
 
 /// How a kick looks at the moment it is made, on an empty field.
@@ -39,27 +39,31 @@ struct Aim {
 };
 Aim aim_of(const FreePath& path, world::Side goal, const world::Geometry& geometry);
 
-/// Watches a game's truth and counts; same definitions for every team, whatever it thinks it is doing.
+/// Watches a game's truth and counts. The definitions are the same for every team, whatever it intends.
 ///
-/// | word | means |
-/// |---|---|
-/// | in play | the referee's location is GAME_ON |
-/// | touch | a contact of ball and robot over 1 mN s, unless the same robot's last one is under 50 ms ago |
-/// | kick | the kicker fired, in play or at a restart (SETUP) |
-/// | shot | a kick that, on an empty field, reaches the goal line attacked between 0.3 m outside the posts,
-/// and |      | is not next touched by a team-mate | | on target | a shot that would be in the goal: whole
-/// ball between the posts and below the bar | | save | a shot on target next touched by the other team's
-/// keeper | | pass | a kick next touched by a team-mate (completed); or one that is no shot, passes within
-/// 0.5 m of a |      | team-mate over 0.2 m away, and is next touched by an opponent or by nobody. A kick
-/// next touched by |      | the kicker is none | | possession | time in play with the team the last to have
-/// touched the ball since play began | | turnover | the other team touches the ball in play, and is the last
-/// to do so for 0.5 s | | territory | time in play with the ball in the other team's half | | ball out | the
-/// whole ball is over a line in play, not in a goal: of the team that touched it last | | passage | from one
-/// beginning of play to its next interruption | | distance | of each robot from tick to tick, always; steps
-/// over 0.2 m (a robot put elsewhere) are left out |
+/// In play     The referee's location is GAME_ON.
+/// Touch       A contact of ball and robot with an impulse over 1 mN s. It is not counted again while the
+///             same robot's last contact is at most 50 ms ago.
+/// Kick        The kicker fired, in play or at a restart (SETUP).
+/// Shot        A kick that, on an empty field, would reach the goal line attacked between the posts or at
+///             most 0.3 m outside them, and is not next touched by a team-mate.
+/// On target   A shot that would be in the goal: whole ball between the posts and below the bar.
+/// Save        A shot on target that is next touched by the other team's keeper.
+/// Pass        A kick that is next touched by a team-mate: a completed pass. Or a kick that is no shot, goes
+///             within 0.5 m of a team-mate at least 0.2 m away from the ball, and is next touched by an
+///             opponent or by nobody. A kick that is next touched by the kicker itself is no pass.
+/// Possession  Time in play during which the team was the last to have touched the ball since the last
+///             stoppage.
+/// Turnover    The other team touches the ball in play and then remains the last to have done so for 0.5 s.
+/// Territory   Time in play with the ball in the other team's half.
+/// Ball out    The whole ball is over a line in play and not in a goal. Counts for the team that touched it
+///             last.
+/// Passage     From one beginning of play to its next interruption.
+/// Distance    Of each robot from tick to tick, in play or not. Steps over 0.2 m (a robot that was put
+///             elsewhere) are left out.
 ///
-/// The keeper, the ends and whether the ball is in play are the referee's; all else is the truth. No memory
-/// is allocated after the first tick.
+/// Keeper, ends and whether the ball is in play are taken from the referee, everything else from the truth.
+/// No memory is allocated after the first tick.
 class Observer {
  public:
   explicit Observer(const world::Geometry& geometry);

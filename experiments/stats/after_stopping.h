@@ -15,12 +15,15 @@ struct Estimate {
 /// The effect t after a sequential test, corrected for the stopping.
 ///
 /// The mean of the scores is too far from zero when a test stops early because of them (on passing tests of
-/// H1: t = 0.2 it is +0.225 on average when the truth is 0). Outcomes are ordered from bad to good: stopped
-/// at the lower bound, the earlier the worse; at the cap, by the log-likelihood ratio; stopped at the upper
-/// bound, the earlier the better. The value is the t for which an outcome at most as good has probability
-/// 1/2, the interval's ends have (1 -+ confidence)/2. The ratio is taken as Brownian motion with
-/// `expected_llr` and `llr_variance` per pair, free until the first look and between the bounds after it.
-/// Multiply by the score's deviation for goals or points.
+/// H1: t = 0.2 it is +0.225 on average when the truth is 0). Outcomes are ordered from bad to good:
+/// - stopped at the lower bound: the earlier the worse
+/// - at the cap: by the log-likelihood ratio
+/// - stopped at the upper bound: the earlier the better
+///
+/// The value is the t for which an outcome at most as good has probability 1/2; the interval's ends have
+/// (1 -+ confidence)/2. The ratio is taken as Brownian motion with `expected_llr` and `llr_variance` per
+/// pair, free until the first look and between the bounds after it. Multiply by the score's deviation for
+/// goals or points.
 ///
 /// For a test that goes on, the present moment is taken as its cap.
 ///

@@ -14,8 +14,9 @@ inline constexpr double usual_confidence = 0.95;
 
 /// Wilson's interval of a share, `successes` of `trials`; [0, 1] without trials.
 ///
-/// (p + z^2/2n +- z sqrt(p (1 - p)/n + z^2/4n^2)) / (1 + z^2/n); covers well also for few trials and shares
-/// near 0 and 1, unlike the usual +- z sqrt(p (1 - p)/n).
+///   (p + z^2/2n +- z sqrt(p (1 - p)/n + z^2/4n^2)) / (1 + z^2/n)
+///
+/// Covers well also for few trials and shares near 0 and 1, unlike the usual p +- z sqrt(p (1 - p)/n).
 ///
 /// @pre 0 <= successes <= trials
 /// Source  E. B. Wilson, "Probable inference, the law of succession, and statistical inference", 1927

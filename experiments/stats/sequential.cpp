@@ -89,8 +89,8 @@ std::optional<std::vector<double>> with_effect_by_rounds(std::span<const double>
 }
 
 /// The same by trying every deviation. A solution is that of its own linear constraint, around the mean
-/// 1/2 + t * deviation; so all of them are zeros of one function of the deviation. The likeliest is taken:
-/// for large t there may be several.
+/// 1/2 + t * deviation, so all of them are zeros of one function of the deviation. For large t there may be
+/// several; the likeliest is taken.
 ///
 /// @pre t != 0
 std::vector<double> with_effect_by_scan(std::span<const double> observed, double t) {

@@ -34,9 +34,13 @@ Bounds wald_bounds(double alpha, double beta);
 
 /// Log-likelihood ratio of t = t1 against t = t0 for any score, from its mean and deviation alone.
 ///
-/// Normal scores with mean t sigma, sigma the most likely one for each t: with m and v the mean (from
-/// `reference`) and variance of the values, sigma(t) = (sqrt(t^2 m^2 + 4 (v + m^2)) - t m) / 2 and
-/// LLR = n [l(t0) - l(t1)], l(t) = ln sigma + (v + m^2) / (2 sigma^2) - t m / sigma + t^2 / 2.
+/// Normal scores with mean t sigma, sigma the most likely one for each t. With m and v the mean (from
+/// `reference`) and variance of the values:
+///
+///   sigma(t) = (sqrt(t^2 m^2 + 4 (v + m^2)) - t m) / 2
+///   l(t)     = ln sigma + (v + m^2) / (2 sigma^2) - t m / sigma + t^2 / 2
+///   LLR      = n [l(t0) - l(t1)]
+///
 /// 0 with fewer than two values.
 ///
 /// @param reference  the score of equal teams: 0 for a difference of goals, 1/2 for points
@@ -67,7 +71,7 @@ Pentanomial pentanomial(std::span<const double> scores);
 ///
 /// @pre 0 < s0 < 1, 0 < s1 < 1
 /// Source  fishtest, LLRcalc.py, "LLR_logistic"; M. Van den Bergh, "Comments on normalized Elo", MLE for
-/// multinomial distributions, Prop. 1.1
+///         multinomial distributions, Prop. 1.1
 double multinomial_llr(std::span<const double> counts, double s0, double s1);
 
 /// The same for effect sizes t = (expected score - 1/2) / deviation.

@@ -9,8 +9,8 @@ namespace stats {
 
 /// Interval of the difference of two shares, first minus second.
 ///
-/// Wilson's intervals of both, put together: low = d - sqrt((p1 - l1)^2 + (u2 - p2)^2), high likewise. [-1,
-/// 1] when a group is empty.
+/// Wilson's intervals of both, put together: low = d - sqrt((p1 - l1)^2 + (u2 - p2)^2), high likewise.
+/// [-1, 1] when a group is empty.
 ///
 /// Source  R. G. Newcombe, "Interval estimation for the difference between independent proportions",
 ///         Statistics in Medicine 17, 1998, method 10

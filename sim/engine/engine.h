@@ -40,9 +40,9 @@ class Snapshot {
 
 /// The simulator: a constant Model, a State that changes, and `step`.
 ///
-/// Nothing is called back; after a step read `truth()` and `detections()`.
-/// The same model and the same commands give the same bits, in this process and in another one of the same
-/// binary on the same class of CPU.
+/// Nothing is called back; after a step read `truth()` and `detections()`. The same model and the same
+/// commands give the same bits, in this process and in another one of the same binary on the same class of
+/// CPU.
 class Engine {
  public:
   /// Robots start in a line-up in their own half, one of each team in its goal mouth,
@@ -59,10 +59,10 @@ class Engine {
   /// Advances the world by one tick (4 substeps of 1/240 s).
   ///
   /// Commands are delayed by `RadioParams::latency`: those of step k move the robots in step k + latency.
-  /// A robot that does not hear its command (RadioParams::loss) goes on with the one before for a while.
-  /// A robot that is not in its team's commands stops (zero velocity, no kick, dribbler off); commands for
-  /// robots that do not exist, and numbers that are not finite, count as nothing; of two for one robot the
-  /// last one counts.
+  /// - A robot that does not hear its command (RadioParams::loss) goes on with the one before for a while.
+  /// - A robot that is not in its team's commands stops (zero velocity, no kick, dribbler off).
+  /// - Commands for robots that do not exist, and numbers that are not finite, count as nothing.
+  /// - Of two commands for one robot the last one counts.
   void step(const world::PerTeam<world::TeamCommands>& commands);
 
   /// Other cameras on the same world: from now on they take their images at the same instants as the

@@ -10,7 +10,7 @@ bool on_ground(const truth::Ball& ball, const BallParams& params);
 
 /// Changes velocity and spin of a ball on the carpet by the friction of `duration` seconds; position stays.
 ///
-/// Slides with deceleration a_s against the slip u = v + spin x (-r z) while the spin turns up; u shrinks at
+/// Slides with deceleration a_s against the slip u = v + spin x (-r z) while the spin increases; u shrinks at
 /// 7/2 a_s in a fixed direction, so the end of sliding is known. Then rolls (u = 0) with a_r until rest.
 /// Exact for any duration. From rest spin the rolling speed is 5/7 of the kick (solid sphere).
 void apply_ground_friction(truth::Ball& ball, double duration, const BallParams& params);

@@ -16,8 +16,8 @@ struct BallParams {
   double restitution = 0.5;         ///< normal to the carpet; published .47 (TIGERs) to .57 (ER-Force)
   double bounce_friction = 0.35;    ///< Coulomb friction during a bounce; ER-Force's ball on floor
   double smallest_hop = 0.010;      ///< [m] lower hops become rolling; TIGERs
-  /// [rad/s^2] of spin about the vertical; ours: 2/3 of Coulomb friction .35 on a contact patch
-  /// of 5 mm radius gives 53
+  /// [rad/s^2] of spin about the vertical; ours: 2/3 of Coulomb friction .35 on a contact patch of 5 mm
+  /// radius gives 53
   double pivot_deceleration = 50.0;
 };
 
@@ -45,10 +45,10 @@ struct KickerParams {
 
 /// The dribbler as a bounded spring between ball and bar.
 ///
-/// Source  ours. The bar can pull with what carpet friction on the back-spinning ball gives (.35
-///         g = 3.4 m/s^2, more because the bar also presses down), and drag sideways with what rubber gives
-///         (friction 1.5 in ER-Force's model). What comes out (the turn rates and decelerations at which
-///         the ball is lost) is measured in tests/sim/physics/dribbler_test.cpp and written in the README.
+/// Source  ours. The bar can pull as hard as carpet friction on the back-spinning ball allows
+///         (.35 g = 3.4 m/s^2, and more because the bar also presses down), and drag sideways as hard as
+///         rubber allows (friction 1.5 in ER-Force's model). The turn rates and decelerations at which the
+///         ball is then lost are measured in tests/sim/physics/dribbler_test.cpp and given in the README.
 struct DribblerParams {
   double reach = 0.015;        ///< [m] gap over which the bar still grips
   double gain = 30.0;          ///< [1/s] of the spring: closes an error in about 8 substeps
@@ -75,11 +75,13 @@ struct PerchParams {
 /// Drawn from streams of their own for each robot, named "actuators <team> <number>": what one robot does
 /// never shifts another's luck (see actuators.h). The presets are in sim/engine/realism.cpp.
 ///
-/// What is published: RoboJackets reckon their shots with 0.04 rad (KickEvaluator, kick_std_dev), aiming
-/// included; they (robocup-software issue 422) and others (robot-soccer-kit issue 73) say kicks vary from
-/// robot to robot, without numbers; UBC Thunderbots (Software issue 2903) that a dribbled ball is lost sooner
-/// backwards and sideways. No simulator of the league scatters kicks. The sizes in brackets are those of
-/// "measured", with the reason where nothing is published.
+/// What is published:
+/// - RoboJackets evaluate their shots with 0.04 rad (KickEvaluator, kick_std_dev), aiming included.
+/// - They (robocup-software issue 422) and others (robot-soccer-kit issue 73) say that kicks vary from robot
+///   to robot, without numbers.
+/// - UBC Thunderbots (Software issue 2903) say that a dribbled ball is lost sooner backwards and sideways.
+/// - No simulator of the league scatters kicks.
+/// The values in brackets are those of "measured", with the reason where nothing is published.
 struct ActuatorErrors {
   /// [rad] of each kick and chip (.02: half of RoboJackets' .04, whose other part, aiming,
   /// our teams do themselves)
@@ -92,7 +94,8 @@ struct ActuatorErrors {
   /// probability that the kicker fires without reaching the ball (.005, ours:
   /// one in some four games' kicks of a robot)
   double misfire = 0;
-  double grip_sigma = 0;  ///< share of the dribbler's grip, anew for each capture (.1, ours: rubber and dust)
+  /// share of the dribbler's grip, anew for each capture (.1, ours: rubber and dust)
+  double grip_sigma = 0;
   /// share of the speed driven; one factor per robot and game (.01, ours: half a millimetre of
   /// wear on wheels of 50 mm)
   double speed_sigma = 0;

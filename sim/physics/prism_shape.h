@@ -12,7 +12,7 @@
 namespace physics {
 
 /// An upright prism as a convex hull that finds its farthest corner in a direction by looking near where it
-/// must be, instead of at all its corners: Bullet asks for one some twenty times for each pair of bodies.
+/// must be, instead of at all its corners. Bullet asks for one some twenty times for each pair of bodies.
 ///
 /// The corner is the one Bullet's own search returns, to the bit and with the same choice among equals, so
 /// that contacts do not change.

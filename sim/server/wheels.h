@@ -15,9 +15,12 @@ struct LocalMotion {
 
 /// How a robot moves whose wheels turn at these speeds.
 ///
-/// A wheel at the angle a, clockwise from forward, on the circle of radius `radius` [m] rolls with the rim
-/// speed s = vx sin a + vy cos a + radius * w. Four wheels say three numbers once too often: when they
-/// disagree, wheels slip, and the answer is the least squares one.
+/// A wheel at the angle a, clockwise from forward, on the circle of radius `radius` [m] has the rim speed
+///
+///   s = vx sin a + vy cos a + radius * w
+///
+/// Four wheels give four equations for three unknowns: when they disagree, wheels slip, and the answer is the
+/// least squares one.
 ///
 /// @returns  nothing when the wheels cannot say where to go, e.g. all four at one angle
 std::optional<LocalMotion> motion(const wire::WheelAngles& angles, const wire::WheelSpeeds& speeds,

@@ -10,8 +10,8 @@ namespace vision {
 /// two states, seen or lost.
 ///
 /// A seen object is lost with probability `start`, a lost one is seen again with probability 1 / length (a
-/// Gilbert model), so bursts have geometric lengths of that mean. The first image finds the chain in its
-/// stationary state: lost with probability start length / (1 + start length).
+/// Gilbert model), so bursts have geometric lengths of that mean. In the first image the chain is in its
+/// stationary state: lost with probability start * length / (1 + start * length).
 class Bursts {
  public:
   explicit Bursts(Draws draws) : draws_(draws) {}

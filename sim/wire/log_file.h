@@ -69,8 +69,8 @@ class LogReader {
   /// Reads the next record into memory that is used again; false at the end of the file.
   ///
   /// A last record cut short (the recorder was killed) ends the file quietly, as is the league's custom;
-  /// `truncated` then says so.
-  /// Takes as much memory as one datagram, whatever the file is.
+  /// `truncated` then says so. Takes as much memory as one datagram, whatever the file is.
+  ///
   /// @throws std::runtime_error "file: record N at byte B: ..." for a length that is negative
   ///         or above that of a datagram (of an index: 64 MiB), and for damaged gzip data.
   ///         Records count from 1, bytes from the start of the unpacked file.

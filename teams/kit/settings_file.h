@@ -15,8 +15,7 @@ struct Setting {
 /// Reads a TOML file of plain keys: numbers, true or false, and strings; in the order of their lines.
 ///
 /// @throws std::invalid_argument  with the file and line for what cannot be read, is no TOML, or is a table
-/// or
-///         list
+///                                or list
 std::vector<Setting> read_settings(const std::string& path);
 
 }  // namespace kit

@@ -34,7 +34,9 @@ DefensePlan plan_defense(const kit::View& view, const Situation& situation, int 
 
 /// How many robots in the wall it takes to close the goal together with the goalie, seen from the ball.
 ///
-/// A disc at distance d hides 2 asin((R + r) / d). Source  reference "football", 2.7 (cover distances)
+/// A disc at distance d hides 2 asin((R + r) / d).
+///
+/// Source  reference "football", 2.7 (cover distances)
 int robots_to_close(const kit::View& view);
 
 /// Where the robot with that task belongs now [m].

@@ -47,9 +47,8 @@ double reach_chance(double own_time, double ball_time);
 
 /// Chance of a goal by a shot from that point: the widest opening against 0.3 rad, nothing from afar.
 ///
-/// Source  reference "football", 2.5
-///
 /// @param later  [s] until the shot, for their goalkeeper
+/// Source        reference "football", 2.5
 double goal_chance(const kit::View& view, const Vector2d& point, double shot_speed, int shooter,
                    double later = 0);
 /// @param guarded  false: nobody there to use the time of a long shot

@@ -12,17 +12,22 @@ namespace reference {
 enum class SetPlay : std::uint8_t { None, Kickoff, Corner, GoalKick, NeutralStart, Penalty };
 const char* name(SetPlay play);
 
-/// Which of them this is. A corner: the ball lies within 0.6 m of their goal line and 1 m of a touch line. A
-/// goal kick: our free kick from within a metre of our goal line. A neutral start (anybody's): the ball still
-/// lies where it lay when the referee let both play it.
+/// Which of them this is.
+///
+/// Corner         the ball lies within 0.6 m of their goal line and 1 m of a touch line
+/// Goal kick      our free kick from within a metre of our goal line
+/// Neutral start  (anybody's) the ball still lies where it lay when the referee let both teams play it
 SetPlay set_play(const kit::View& view);
 
 /// Where supporter `index` waits in this set play [m]; nothing when it has no place of its own.
 ///
-/// Corner: the far post 1.5 m out, the 45 degree edge of the area, a decoy beside the kicker.
-/// Kickoff: one beside the ball, to whom it is tapped, the others on both wings. Goal kick: up the ball's own
-/// flank, and across in midfield; nobody in front of our goal. Neutral start: one covers the robot that runs
-/// in. Penalty: behind the line, for the rebound. Source  reference "football", 2.9
+/// Corner         1.5 m out from the far post, the 45 degree edge of the area, a decoy beside the kicker
+/// Kickoff        one beside the ball, to whom it is tapped, the others on both wings
+/// Goal kick      up the ball's own flank, and across in midfield; nobody in front of our goal
+/// Neutral start  one covers the robot that runs in
+/// Penalty        behind the line, for the rebound
+///
+/// Source  reference "football", 2.9
 std::optional<Vector2d> set_play_place(const kit::View& view, int index);
 
 /// Where the pass to a supporter that waits there goes: the place itself, or what it runs to.

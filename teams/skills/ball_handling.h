@@ -26,8 +26,10 @@ double orbit_time(const kit::Robot& robot, double angle, double ball_radius);
 
 /// Gets behind the ball and then drives through it, so that a kick goes along `direction` [rad].
 ///
-/// Far: go to a point behind the ball. Near it on the wrong side: circle round it. Behind it: drive straight
-/// on, the kicker armed once the heading is within `tolerance` [rad].
+/// Far                          goes to a point behind the ball
+/// Near it, on the wrong side   circles round it
+/// Behind it                    drives straight on, the kicker armed once the heading is within `tolerance`
+///                              [rad]
 ///
 /// @param kick_speed  [m/s]; 0: only take the ball
 /// Source  reference "football", 2.8 (approach) and the kick gate there

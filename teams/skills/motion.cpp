@@ -189,8 +189,8 @@ Drive::Drive(const Vector2d& to_target, const Vector2d& velocity, const Limits& 
   double across = 0.02;
   if (std::abs(v_across) > 0.01) {
     // T_along falls and T_across rises with the cosine.
-    // Across the line it brakes, comes back and brakes: with a share c of the limits that takes across_time /
-    // c, and no more speed than the peak while the limit of the speed is above.
+    // Across the line it brakes, comes back and brakes. With a share c of the limits this takes
+    // across_time / c, and no more speed than the peak while the limit of the speed is above.
     const double a = limits.acceleration, b = limits.brake;
     const double peak = std::abs(v_across) * std::sqrt(a / (a + b));
     const double across_time = std::abs(v_across) / b + peak / a + peak / b;

@@ -21,8 +21,9 @@ struct Pass {
 /// Chance that no opponent reaches a flat ball before it has covered the way to `to` [0..1].
 ///
 /// Per opponent the least of (its time to a point of the line - the ball's) over three points of the line,
-/// then a logistic with 0.1 s. Source  reference "football", 2.6; three points instead of one each 0.3 m, for
-/// the price (ours)
+/// then a logistic with 0.1 s.
+///
+/// Source  reference "football", 2.6; three points instead of one each 0.3 m, to save time (ours)
 double pass_safety(const kit::View& view, const kit::BallModel& model, const Vector2d& from,
                    const Vector2d& to, double speed);
 

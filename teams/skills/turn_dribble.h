@@ -8,8 +8,9 @@ namespace skills {
 /// How the ball is carried while a robot turns: it runs on a circle of that radius, and the heading makes the
 /// angle phi with its direction of travel, towards the inside.
 ///
-/// phi = 90 degrees: the ball lies between robot and middle (the robot circles round both); -90 degrees: the
-/// robot looks outwards, so that with radius 0.095 m it turns in place, with 0 it circles round the ball.
+/// phi = 90 degrees   the ball lies between robot and middle: the robot circles round both
+/// phi = -90 degrees  the robot looks outwards: with radius 0.095 m it turns in place, with radius 0 it
+///                    circles round the ball
 struct TurnCircle {
   double rate = 0;    ///< [rad/s]
   double radius = 0;  ///< [m]

@@ -13,9 +13,9 @@ namespace judge {
 ///
 /// Ambiguous  when an opponent touched the ball within a tick of every contact that was a band deep. A
 ///            team-mate's touch, also the goalie's, excuses nobody: who touches there, offends.
-/// Margin  the greatest depth of the hull in the area during the touch. It happens at the first contact
-///         inside; it is clear at the first that is a band deep and no opponent's too.
-/// One     offence of all touches less than 0.3 s apart, once it is clear.
+/// Margin     the greatest depth of the hull in the area during the touch. It happens at the first contact
+///            inside; it is clear at the first that is a band deep and not an opponent's too.
+/// One        offence is counted for all touches less than 0.3 s apart, once it is clear.
 class Areas {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);
@@ -34,8 +34,8 @@ class Areas {
 /// A goalie that keeps the ball in its own area for too long (Law 12): touches it without
 /// letting go for half a second.
 ///
-/// Margin  two bands: who holds the ball for so long does not do it by a hair. Near misses:
-///         let go in the last two bands of time.
+/// Margin  two bands: a goalie that holds the ball for so long is clearly beyond the limit.
+/// Near    let go in the last two bands of time.
 class KeeperHolds {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);

@@ -9,9 +9,8 @@ namespace judge {
 
 /// A robot made the ball faster than it may be (Law 12): the greatest speed between two touches, in space.
 ///
-/// Margin  the speed beyond the limit; of a ball that the next robot stopped sooner than after 0.2 s
-///         so much less as it flew shorter. In both cases a band is what the ball went farther
-///         than at the limit: 40 mm.
+/// Margin  the speed beyond the limit, less in proportion for a ball that the next robot stopped within
+///         0.2 s. In both cases a band is 40 mm, by which the ball went farther than at the limit.
 class BallSpeed {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);

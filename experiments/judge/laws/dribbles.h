@@ -11,9 +11,9 @@ namespace judge {
 /// A robot dribbled too far (Law 12, decision 5): straight from where contact began, until ball and robot
 /// are visibly apart (20 mm, ours: the law says no number), or the ball is higher than a dribbler.
 ///
-/// Margin  the distance beyond the limit; a dribble that was too far only if 60 mm are not yet apart is close
-///         (-0.5), also if it then was within a band of the limit. A dribble goes on for half a second after
-///         the referee has stopped play, or its margin would only say how quick the referee was.
+/// Margin  the distance beyond the limit. A dribble that was too far only if 60 mm do not count as apart yet
+///         is close (-0.5), also if it then was within a band of the limit. A dribble is followed for half a
+///         second after the referee has stopped play, or its margin would only say how quick the referee was.
 class Dribbles {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);

@@ -13,9 +13,10 @@ namespace judge {
 /// Law     9 (ball out), 10 (goal: between the posts, under the bar), 12 decision 7 (chip), icing.
 /// Chip    the ball's top was above 150 mm after a touch of the attackers, and since then it neither touched
 ///         another of them while lower nor stopped bouncing (three ticks within 1 mm of the carpet).
-/// Margin  of an exit: how far the ball got beyond the line within half a second; of a goal also how far it
-///         was below the bar and how much less than too high, and of a chip how much too high; of icing the
-///         kick's distance from its limit.
+/// Margin  of an exit: how far the ball got beyond the line within half a second.
+///         Of a goal: also how far it was below the bar, and how much less than too high.
+///         Of a chip: how much too high.
+///         Of icing: the kick's distance from its limit.
 /// Near    the ball came back from the line; a goal was almost a chip.
 class Exits {
  public:

@@ -10,12 +10,13 @@ namespace judge {
 /// A restart's kick: that it was taken, who was where it may not be at that moment, and the kicker's second
 /// touch (Laws 8, 9, 13, 15 to 17).
 ///
-/// Taken   the ball is 50 mm from where it lay when the kick was signalled.
-/// Second  the kicker touches again once the ball is in play and has been away from it, or still pushes it
-///         there; before any other robot does.
-/// Margins how far the ball went; how much too near opponents and attackers stood, or over the halfway line;
-///         of a second touch how far apart they had been, or how far the ball was pushed in play; not touched
-///         again: the gap, once they had been two bands apart.
+/// Taken    the ball is 50 mm from where it lay when the kick was signalled.
+/// Second   touch: before any other robot does, the kicker touches the ball again once it is in play and has
+///          been away from the kicker, or the kicker still pushes it in play.
+/// Margins  of the kick: how far the ball went.
+///          Of offenders: how much too near opponents and attackers stood, or how far over the halfway line.
+///          Of a second touch: how far apart they had been, or how far the ball was pushed in play.
+///          If it is not touched again: the gap, once they had been two bands apart.
 class Kicks {
  public:
   void watch(const Moment& moment, std::vector<TrueEvent>& out);

@@ -21,9 +21,11 @@ class Laws {
  public:
   Laws(const world::RuleSet& rules, const Bands& bands) : rules_(rules), bands_(bands) {}
 
-  /// The next tick. Laws of play are watched for another 0.3 s after the referee has stopped it: it may have
-  /// been early. Their events are then `late`, and so is what
-  /// happens after the ball has truly left the field.
+  /// The next tick.
+  ///
+  /// Laws of play are watched for another 0.3 s after the referee has stopped it, because it may have been
+  /// early. Their events are then `late`, and so is what happens after the ball has truly left the field.
+  ///
   /// @param state      of the acting referee as this tick began for it
   /// @param ball_seen  by some camera
   void watch(const truth::Frame& frame, const world::GameState& state, bool ball_seen);

@@ -10,9 +10,9 @@ namespace judge {
 
 /// The ball is stuck (Law 5): in no second of the last twelve did it get 0.25 m away from where it was.
 ///
-/// Margin  by how much the best of those seconds fell short. Near: the longest stretch without
-///         progress was less than two bands of distance better, or ended less than two bands of time
-///         before it was too long.
+/// Margin  by how much the best of those seconds fell short.
+/// Near    the longest stretch without progress was less than two bands of distance better, or ended less
+///         than two bands of time before it was too long.
 class Progress {
  public:
   /// @param goalie_holds  that is no lack of progress, but an offence of its own

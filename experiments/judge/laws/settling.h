@@ -11,8 +11,7 @@ namespace judge {
 
 /// Ball in its place, robots slow for long enough, or the wait was too long (paper, Algorithm 3).
 ///
-/// A speed is that at which something gets anywhere, in a tenth of a second: robots that lean on each other
-/// tremble.
+/// A speed is the distance covered in a tenth of a second, since robots that lean on each other tremble.
 /// The same is watched with limits a little wider and a little narrower; where these two do not agree within
 /// 0.3 s the moment is nobody's fault: margin 0.5.
 class Settling {

@@ -13,11 +13,15 @@ namespace judge {
 
 /// An outside autoref beside the acting referee: a program that thinks it is at a game of the league.
 ///
-/// In a network namespace of its own it gets SSL-Vision's packets (224.5.23.2:10006: every camera image when
-/// it is delivered, the geometry once a second) and the acting referee's messages (224.5.23.1:10003: when
-/// they change, and ten times a second), and reports to the game controller's port 10007. Time in the packets
-/// is the match's; they are sent at its pace by the wall clock, or `speed` times as fast. That play was
-/// stopped it hears `linger` later: the league's controller takes a second to stop it, ours a tick.
+/// It runs in a network namespace of its own:
+/// - SSL-Vision's packets come on 224.5.23.2:10006: every camera image when it is delivered, the geometry
+///   once a second.
+/// - The acting referee's messages come on 224.5.23.1:10003: when they change, and ten times a second.
+/// - It reports to the game controller's port 10007.
+///
+/// Time in the packets is the match's; they are sent at its pace by the wall clock, or `speed` times as fast.
+/// It hears `linger` later that play was stopped: the league's controller takes a second to stop it, ours a
+/// tick.
 ///
 /// What it says depends on the machine's load: such a shadow is not deterministic. The game is.
 class NetShadow {

@@ -1,11 +1,10 @@
 // Our own descriptions against the facts about the league's: nothing else, nothing more, nothing missing.
 //
 // Where we differ on purpose:
-//  - a field that the league requires is optional in ours. Numbers and types are the same, so are the bytes;
-//  our reader
-//    accepts messages with gaps and unknown enum values, and our writers are tested for setting them
-//    (`missing_required`).
-//  - packages. They never appear on the wire.
+//  - A field that the league requires is optional in ours. Numbers and types are the same, and so are the
+//    bytes; our reader accepts messages with gaps and unknown enum values, and our writers are tested for
+//    setting them (`missing_required`).
+//  - Packages. They never appear on the wire.
 #include <gmock/gmock.h>
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/descriptor.pb.h>

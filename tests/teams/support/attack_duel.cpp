@@ -1,8 +1,9 @@
 // Plays pairs of games between two settings of the reference team in this process and prints what each did
 // with the ball: the tool for tuning a feature.
 //
-// attack_duel PAIRS HALF_SECONDS FIRST_SEED [flags of A] [-- flags of B]
+//   attack_duel PAIRS HALF_SECONDS FIRST_SEED [flags of A] [-- flags of B]
 //   attack_duel 10 300 1 --attack zones -- --attack greedy
+//
 // In the first game of a pair A is yellow, in the second blue, with the same seed.
 
 #include <array>
