@@ -13,7 +13,7 @@ class Clocks(Row):
     checks = "same games and table as undisturbed, and the clock did jump"
     tries = 24
     least = 2
-    seconds = 200
+    seconds = 180
 
     def prepare(self):
         self.library = self.arena.programs / "libshifted_clock.so"

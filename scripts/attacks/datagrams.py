@@ -53,7 +53,7 @@ class Datagrams(Row):
     checks = "ssl-sim answers plain questions after each try; memory and files stay bounded"
     tries = 225
     least = 3
-    seconds = 180
+    seconds = 100
 
     def prepare(self):
         self.simulator = self.arena.start(self.arena.sim, *[word for name, port in PORTS.items() for word in (f"--{name}-port", port)],

@@ -22,7 +22,7 @@ class Disks(Row):
               "an undisturbed night; code 74 for output that is lost")
     tries = 36
     least = 9
-    seconds = 230
+    seconds = 260
 
     def prepare(self):
         self.text = nights.design(seed=self.seed % 1000 + 4, pairs=8, limits={"free_disk": 0, "sampled": 0.5})

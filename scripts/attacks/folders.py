@@ -22,7 +22,7 @@ class Folders(Row):
               "changes a report")
     tries = 240
     least = 8
-    seconds = 400
+    seconds = 300
 
     def prepare(self):
         # All games are sampled and audited, so there are recordings, logs and verdicts to be damaged.

@@ -1,5 +1,6 @@
 """Teams that attack: the night goes on, the right one is blamed, and the other games are what they would have been."""
 import json
+import re
 import sqlite3
 import sys
 import time
@@ -25,7 +26,7 @@ class Hostile(Row):
     checks = ("each team's game ends in the one way that is right for it, the fault is its own, no game is void; the games beside it "
               "are as undisturbed; nothing is left behind")
     least = 6
-    seconds = 520
+    seconds = 620
 
     def __init__(self, arena, seed):
         super().__init__(arena, seed)
@@ -78,7 +79,7 @@ class Hostile(Row):
             wrong.append("a name ran a command")
         self.arena.temporary() if wrong else wrong.extend(self.arena.temporary())
         self.most = max(self.most, size)
-        self.notes = [f"isolation: {self.isolation}; result folders of at most {self.most >> 20} MiB"]
+        self.notes = [f"{self.isolation}; result folders of at most {self.most >> 20} MiB"]
         return [f"{mode}: {sentence}" for sentence in wrong]
 
     def judged(self, night, mode):
@@ -108,7 +109,7 @@ class Hostile(Row):
             return "the attack itself broke: " + row["reason"][:200]
         if row["at_fault"] != "nobody" and not row["reason"]:
             return "a forfeit without a reason"
-        if mode in hostile_cases.OUT_OF_REACH and self.isolation == "none":
+        if mode in hostile_cases.OUT_OF_REACH and not re.match("isolation (files|network)", self.isolation):
             return ""
         wanted = self.outcomes[mode]
         if row["termination"] != wanted or (row["at_fault"] == "nobody") != (wanted == "finished"):

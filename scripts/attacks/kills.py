@@ -17,7 +17,7 @@ class Kills(Row):
               "lost or played again; nothing is left behind")
     tries = 100
     least = 5
-    seconds = 400
+    seconds = 700
 
     def text(self, preflight):
         # A third of the games is played twice and a third kept: a kill meets audits and packing, too.

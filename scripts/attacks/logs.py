@@ -21,7 +21,7 @@ class Logs(Row):
     checks = "an exit code and one sentence of its own, within a minute and 384 MiB; damaged files are bad input (2)"
     tries = 1100
     least = 20
-    seconds = 450
+    seconds = 250
 
     def prepare(self):
         place = self.arena.place("games")

@@ -49,7 +49,7 @@ class Names(Row):
     checks = "no name is a command, markup, LaTeX or a terminal sequence; an exit code and one sentence"
     tries = 144
     least = 6
-    seconds = 380
+    seconds = 230
 
     def prepare(self):
         self.sound = nights.Night(self.arena, "sound", nights.design(seed=self.seed % 1000 + 10, pairs=2))

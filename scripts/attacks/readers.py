@@ -16,7 +16,7 @@ class Readers(Row):
     checks = "the run ends with 0 and all its games as undisturbed; copies and backups are sound"
     tries = 24
     least = 3
-    seconds = 180
+    seconds = 160
 
     def prepare(self):
         self.text = nights.design(seed=self.seed % 1000 + 3, pairs=6)

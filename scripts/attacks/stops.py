@@ -20,7 +20,7 @@ class Stops(Row):
               "are those of an undisturbed night")
     tries = 100
     least = 6
-    seconds = 420
+    seconds = 600
 
     def prepare(self):
         self.text = nights.design(seed=self.seed % 1000 + 2, pairs=4)
