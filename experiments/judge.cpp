@@ -397,6 +397,12 @@ int judge_game(const JudgeGameOptions& options) {
   const judge::GameResult result =
       job.again.empty() ? judge::play_judged(job, settings) : judge::judge_again(job.again, job.shadows);
   if (interrupted) return faults;
+  if (!job.again.empty() && (result.game != job.game || result.seed != job.config.seed)) {
+    throw std::invalid_argument(job.again.string() + ": is game " + result.game + " with seed " +
+                                std::to_string(result.seed) + ", not " + job.game + " with seed " +
+                                std::to_string(job.config.seed) +
+                                " of this design; was it renamed, or kept for another design?");
+  }
   if (!result.fault.empty()) throw std::runtime_error(result.fault);
   judge::write_game(options.result, result);
   return done;

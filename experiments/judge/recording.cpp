@@ -1,5 +1,7 @@
 #include "experiments/judge/recording.h"
 
+#include <xxhash.h>
+
 #include <array>
 #include <bit>
 #include <cmath>
@@ -13,7 +15,8 @@
 namespace judge {
 namespace {
 
-constexpr std::string_view magic = "matchday judged game 1\n";
+constexpr std::string_view magic = "matchday judged game 2\n";
+constexpr std::string_view magic_without_checks = "matchday judged game 1\n";
 constexpr char tick_follows = 'T';
 constexpr char end_follows = 'E';
 constexpr std::size_t buffer_size = 1 << 20;
@@ -124,6 +127,12 @@ RecordingWriter::RecordingWriter(std::filesystem::path file, const std::string& 
   if (!stream_) throw std::runtime_error(file_.string() + ": cannot be written");
   bytes_ = magic;
   put_text(bytes_, job);
+  write_checked();
+}
+
+void RecordingWriter::write_checked() {
+  check_ = XXH3_64bits_withSeed(bytes_.data(), bytes_.size(), check_);
+  put(bytes_, check_);
   stream_ << bytes_;
 }
 
@@ -137,14 +146,14 @@ void RecordingWriter::add(const truth::Frame& truth, std::span<const world::Dete
   const bool changed = text != state_;
   put_text(bytes_, changed ? text : "");
   state_ = std::move(text);
-  stream_ << bytes_;
+  write_checked();
 }
 
 void RecordingWriter::close(std::int64_t ticks, const std::string& hash) {
   bytes_ = end_follows;
   put(bytes_, ticks);
   put_text(bytes_, hash);
-  stream_ << bytes_;
+  write_checked();
   stream_.close();
   if (!stream_) throw std::runtime_error(file_.string() + ": cannot be written");
   std::filesystem::rename(file_.string() + ".part", file_);
@@ -154,11 +163,28 @@ RecordingReader::RecordingReader(std::filesystem::path file) : file_(std::move(f
   stream_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   stream_.open(file_, std::ios::binary);
   std::string begin(magic.size(), '\0');
-  if (!stream_.read(begin.data(), static_cast<std::streamsize>(begin.size())) || begin != magic) {
+  if (!read(begin.data(), begin.size()) || (begin != magic && begin != magic_without_checks)) {
     throw std::invalid_argument(file_.string() +
-                                ": is no judged game; matchday judge DESIGN --keep writes them");
+                                ": is no judged game, or of another version; matchday judge DESIGN --keep "
+                                "writes them");
   }
+  checked_ = begin == magic;
   job_ = take_text();
+  take_check();
+}
+
+bool RecordingReader::read(char* bytes, std::size_t size) {
+  if (!stream_.read(bytes, static_cast<std::streamsize>(size))) return false;
+  part_.append(bytes, size);
+  return true;
+}
+
+void RecordingReader::take_check() {
+  if (checked_) {
+    check_ = XXH3_64bits_withSeed(part_.data(), part_.size(), check_);
+    if (take<std::uint64_t>() != check_) damaged("the bytes before are not what was written");
+  }
+  part_.clear();
 }
 
 void RecordingReader::damaged(const std::string& what) {
@@ -174,7 +200,7 @@ void RecordingReader::damaged(const std::string& what) {
 template <class Value>
 Value RecordingReader::take() {
   std::array<char, sizeof(Value)> bytes{};
-  if (!stream_.read(bytes.data(), bytes.size())) damaged("a number is missing");
+  if (!read(bytes.data(), bytes.size())) damaged("a number is missing");
   return std::bit_cast<Value>(bytes);
 }
 
@@ -182,7 +208,7 @@ std::string RecordingReader::take_text() {
   const auto size = take<std::uint32_t>();
   if (size > longest_text) damaged("a text of " + std::to_string(size) + " bytes");
   std::string text(size, '\0');
-  if (!stream_.read(text.data(), size)) damaged("a text is cut short");
+  if (!read(text.data(), size)) damaged("a text is cut short");
   return text;
 }
 
@@ -300,6 +326,7 @@ const RecordedTick* RecordingReader::next() {
   if (tag == end_follows) {
     ticks_ = take<std::int64_t>();
     hash_ = take_text();
+    take_check();
     if (ticks_ != tick_.truth.tick) damaged("the game ended at tick " + std::to_string(ticks_));
     if (stream_.peek() != std::ifstream::traits_type::eof()) damaged("something follows the end");
     return nullptr;
@@ -309,6 +336,7 @@ const RecordedTick* RecordingReader::next() {
   tick_.images.resize(take_count(most_images));
   for (world::Detection& image : tick_.images) take_image(image);
   const std::string state = take_text();
+  take_check();
   try {
     if (!state.empty()) tick_.state = state_in(state);
   } catch (const std::exception& error) {

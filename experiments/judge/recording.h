@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <span>
@@ -22,7 +23,8 @@ struct RecordedTick {
 /// Writes a judged game so that it can be judged again without playing it: about 80 MB for a full game.
 ///
 /// Plain bytes in the order of this machine, numbers as they are in memory; what passed through the wire's
-/// floats is kept as these. The file gets its name when it is whole.
+/// floats is kept as these. After the beginning, every tick and the end stands a check of all before it (XXH3
+/// of the part, seeded with the check before). The file gets its name when it is whole.
 class RecordingWriter {
  public:
   /// @throws std::runtime_error naming the file
@@ -38,9 +40,13 @@ class RecordingWriter {
   std::ofstream stream_;
   std::string bytes_;  // of a tick
   std::string state_;  // the last one, as text
+  std::uint64_t check_ = 0;
+
+  void write_checked();
 };
 
-/// Reads it back, tick by tick. Every number is checked: a reader of a tick may use them as they are.
+/// Reads it back, tick by tick. Every number is checked: a reader of a tick may use them as they are. Files
+/// of the first version have no checks and are read without.
 class RecordingReader {
  public:
   /// @throws std::invalid_argument naming the file, when it is none
@@ -54,6 +60,8 @@ class RecordingReader {
   const std::string& hash() const { return hash_; }
 
  private:
+  bool read(char* bytes, std::size_t size);
+  void take_check();
   template <class Value>
   Value take();
   std::string take_text();
@@ -75,7 +83,10 @@ class RecordingReader {
   std::string job_, hash_;
   std::int64_t ticks_ = 0;
   RecordedTick tick_;
-  bool begun_ = false;  // a tick was read
+  bool begun_ = false;    // a tick was read
+  bool checked_ = false;  // the file has checks
+  std::string part_;      // what was read since the last check
+  std::uint64_t check_ = 0;
 };
 
 }  // namespace judge

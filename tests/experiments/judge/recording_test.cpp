@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
 
 #include "tests/experiments/runner/support.h"
@@ -48,13 +50,18 @@ class Recording : public testing::Test {
  protected:
   /// Why what was written cannot be read; empty: it can.
   std::string complaint(const std::vector<Tick>& ticks, std::int64_t end = 2, const std::string& after = "") {
-    const std::filesystem::path file = folder_.path() / "it.judged";
+    const std::filesystem::path file = path();
     RecordingWriter writer(file, "job");
     for (const Tick& tick : ticks) writer.add(tick.truth, tick.images, {});
     writer.close(end, "hash");
     std::ofstream(file, std::ios::app | std::ios::binary) << after;
+    return read();
+  }
+  std::filesystem::path path() const { return folder_.path() / "it.judged"; }
+  /// Why the file cannot be read; empty: it can.
+  std::string read() const {
     try {
-      RecordingReader reader(file);
+      RecordingReader reader(path());
       while (reader.next() != nullptr) {
       }
     } catch (const std::invalid_argument& error) {
@@ -105,6 +112,19 @@ TEST_F(Recording, RefusesValuesThatNoGameHas) {
   for (const auto& [what, change] : changes) {
     EXPECT_THAT(complaint(change), AllOf(HasSubstr("it.judged: "), HasSubstr(what), HasSubstr("at byte ")))
         << what;
+  }
+}
+
+TEST_F(Recording, NoticesEveryFlippedBit) {
+  ASSERT_EQ(complaint(good()), "");
+  const std::filesystem::path file = path();
+  std::ifstream stream(file, std::ios::binary);
+  const std::string right((std::istreambuf_iterator<char>(stream)), {});
+  for (std::size_t bit = 0; bit < 8 * right.size(); ++bit) {
+    std::string wrong = right;
+    wrong[bit / 8] = static_cast<char>(wrong[bit / 8] ^ (1 << (bit % 8)));
+    std::ofstream(file, std::ios::trunc | std::ios::binary) << wrong;
+    EXPECT_THAT(read(), HasSubstr("it.judged: ")) << "bit " << bit % 8 << " of byte " << bit / 8;
   }
 }
 
