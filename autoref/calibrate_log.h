@@ -15,7 +15,7 @@ struct CalibrateOptions {
 /// preset, whole or not at all.
 ///
 /// @return 0; 2 when the log is damaged, cut short or without geometry: what could be found is printed and
-/// written, one sentence is on `errors`
+///         written, one sentence is on `errors`
 /// @throws std::exception with one sentence when nothing can be found or written
 int calibrate_log(const CalibrateOptions& options, std::ostream& out, std::ostream& errors);
 

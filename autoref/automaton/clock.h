@@ -4,9 +4,11 @@
 
 namespace automaton {
 
-/// The continuous variables until `time` (paper, Table 4): time runs everywhere; a team's time-out runs down
-/// while it lasts, and the end of the half moves away with it, as while the game is halted (I-13, I-40);
-/// yellow cards run down everywhere but in BREAK.
+/// The continuous variables until `time` (paper, Table 4):
+/// - Time runs everywhere.
+/// - A team's time-out runs down while it lasts, and the end of the half is put off by as much, as it is
+///   while the game is halted (I-13, I-40).
+/// - Yellow cards run down everywhere but in BREAK.
 void continuous_update(world::GameState& state, world::Time time);
 
 /// Moves every instant of the state by `by`, as if the whole match had been played that much later.

@@ -32,9 +32,9 @@ bool stray_at(const Observations& seen, std::size_t camera, std::uint32_t image,
   return false;
 }
 
-// Counts the gaps of a track. From each sighting that counts, the images are followed up to the next one; a
-// gap stays open where it comes to a place that does not count, and when the object, going on half as fast
-// again, could have left the camera's view. So long gaps count as well as short ones.
+// Counts the gaps of a track. From each sighting that counts, the images are followed up to the next one. A
+// gap stays open where it comes to a place that does not count, and when the object could have left the
+// camera's view at one and a half times its speed. So long gaps count as well as short ones.
 //
 // counts(place, time)      the object should be seen there
 // otherwise(image, place)  it was seen, under another name

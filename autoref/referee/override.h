@@ -15,9 +15,12 @@ namespace referee {
 /// that until play has been restarted.
 struct ReverseLastCall {};
 
-/// A command, whatever the robots are doing. The kick that is due is sent at once; another kick, kickoff or
-/// penalty becomes the one that is due, after a STOP if play was on. HALT, STOP, START and READY are sent at
-/// once; GOAL(T) awards a goal to T; TIMEOUT(T) takes one of T's time-outs.
+/// A command, whatever the robots are doing.
+/// - The kick that is due is sent at once. Another kick, kickoff or penalty becomes the one that is due,
+///   after a STOP if play was on.
+/// - HALT, STOP, START and READY are sent at once.
+/// - GOAL(T) awards a goal to T.
+/// - TIMEOUT(T) takes one of T's time-outs.
 struct ForceCommand {
   world::Command command;
 };

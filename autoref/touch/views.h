@@ -94,8 +94,8 @@ class View {
 class Views {
  public:
   /// @param images  of this tick; none: the tracked frame stands for an image
-  /// @return the view that followed the ball longest of those that were added to; null when none has six
-  /// sightings
+  /// @return the view that followed the ball longest of those that were added to;
+  ///         null when none has six sightings
   const View* add(const world::TrackedFrame& frame, std::span<const world::Detection> images,
                   const world::Field& field);
 

@@ -34,8 +34,8 @@ class BallFilter {
   /// The next measurements are so much [m] less certain than others; 0: as certain.
   void doubt(double sigma) { r_ = measurement_variance_ + sigma * sigma; }
 
-  /// Normalised innovation squared of a measurement, by the phase that expects it best; chi-square with 2
-  /// degrees of freedom when that phase is right.
+  /// Normalised innovation squared of a measurement, by the phase that expects it best; chi-square with
+  /// 2 degrees of freedom when that phase is right.
   double best_nis(const Vector2d& measured) const;
   /// The same for the mixture of all phases, as one Gaussian.
   double nis(const Vector2d& measured) const;

@@ -8,10 +8,10 @@ namespace tracker {
 
 /// Which camera is believed about one object when two of them disagree.
 ///
-/// Calibrated cameras err by centimetres against each other, the same way for seconds (3.5 cm in the real log
-/// of the tests), which between two images milliseconds apart looks like metres per second. Sightings that
-/// agree to `agreement` are all used; one that is further off counts only from the camera that has been
-/// following the object, until that one was silent for 25 ms, one and a half frames.
+/// Calibrated cameras differ from each other by centimetres, the same way for seconds (3.5 cm in the real log
+/// of the tests). Between two images milliseconds apart this looks like metres per second. Sightings that
+/// agree to `agreement` are all used. One that is further off counts only if it is from the camera that has
+/// been following the object, until that camera was silent for 25 ms, one and a half frames.
 class CameraPreference {
  public:
   static constexpr double agreement = 0.008;  ///< [m] ours: the gate of a followed robot (4 mm) with reserve

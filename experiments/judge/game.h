@@ -28,8 +28,14 @@ struct ShadowConfig {
 /// The first is always the acting referee's own detectors, on its own frames.
 inline constexpr const char* acting_name = "ours";
 
-/// Reads "rules=paper", "touch=accel+line,exit_frames=5", "vision.ball_sigma=0.002": parts of a shadow, its
-/// text the name; or "net:COMMAND", "net@4:COMMAND": an outside autoref, at four times the real pace.
+/// Reads one of these; the text becomes the shadow's name:
+///
+///   rules=paper                    parts of a shadow
+///   touch=accel+line,exit_frames=5
+///   vision.ball_sigma=0.002
+///   net:COMMAND                    an outside autoref
+///   net@4:COMMAND                  the same, at four times the real pace
+///
 /// @throws std::invalid_argument naming the part and what would be right
 ShadowConfig parse_shadow(const std::string& text);
 

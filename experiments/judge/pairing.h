@@ -37,10 +37,12 @@ struct Case {
 /// Greatest distance in time between an event and the call of it [s]: the paper's.
 inline constexpr double match_window = 0.3;
 
-/// One to one within the window; what lasts may be called as long as it does. Clear events come before those
-/// close to their limit, and these before near misses; then calls of the right robot; then the nearest in
-/// time. Calls that are left are extra, events that are left were missed, but neither of them after the
-/// acting referee's whistle; near misses that are left are no cases.
+/// One to one within the window; an event that lasts may be called as long as it does. Preferred are, in this
+/// order: clear events before those close to their limit, and these before near misses; calls of the right
+/// robot; the nearest in time.
+///
+/// Calls that are left are extra and events that are left were missed, but neither counts after the acting
+/// referee's whistle. Near misses that are left are no cases.
 std::vector<Case> pair(const std::string& shadow, std::vector<TrueEvent> truth,
                        const std::vector<Call>& calls, const world::RuleSet& rules);
 

@@ -15,9 +15,9 @@ struct Figure {
   Drawing drawing;
 };
 
-/// Of each sweep: goals of both teams with standard errors (the paper's Figure 8), goal difference with its
-/// trend, shares of wins and draws with Wilson's intervals. Of the other conditions: goal difference and
-/// shares side by side.
+/// - Of each sweep: goals of both teams with standard errors (the paper's Figure 8), goal difference with its
+///   trend, shares of wins and draws with Wilson's intervals.
+/// - Of the other conditions: goal difference and shares side by side.
 std::vector<Figure> figures(const Summary& summary);
 
 /// The figure as SVG, drawn by gnuplot.

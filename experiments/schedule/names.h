@@ -18,8 +18,8 @@ bool names_files(const std::string& name);
 /// @throws std::invalid_argument about the key when its value cannot name files
 void check_file_name(const TomlTable& table, const std::string& key, const std::string& name);
 
-/// @throws std::invalid_argument when the name of a team is empty, too long or no line of text that can be
-/// printed as it is
+/// @throws std::invalid_argument when the name of a team is empty, too long or no line of text that can
+///         be printed as it is
 void check_team_name(const TomlTable& table, const std::string& key, const std::string& name);
 
 }  // namespace schedule

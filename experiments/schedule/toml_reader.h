@@ -72,7 +72,7 @@ class TomlTable {
   [[noreturn]] void missing(const std::string& key, const std::string& hint) const;
 
   /// @throws std::invalid_argument when the table has a key that was never asked for, with the one that was
-  /// perhaps meant and the known ones
+  ///         perhaps meant and the known ones
   void finish() const;
 
  private:

@@ -12,7 +12,8 @@ struct PowerPlan {
 };
 
 /// The effect t = mean / deviation of one value that `count` values show with that power:
-/// (z_a + z_b) / sqrt(n).
+///
+///   (z_a + z_b) / sqrt(n)
 ///
 /// Source  harness reference 2.6: .396 for 50, .280 for 100, .162 for 300
 double detectable_effect(std::int64_t count, const PowerPlan& plan = {});

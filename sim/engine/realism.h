@@ -54,8 +54,8 @@ std::span<const RealismKey> realism_keys();
 
 /// Changes one number.
 ///
-/// @throws std::invalid_argument naming key, value and range; for an unknown key also the most similar known
-/// one
+/// @throws std::invalid_argument naming key, value and range; for an unknown key also the
+///         most similar known one
 void set(Realism& realism, std::string_view key, double value);
 
 }  // namespace engine

@@ -14,7 +14,7 @@ namespace physics {
 /// (we have none) and to move it. Here a body that nothing touches is moved to the pose that was foreseen.
 /// The solver runs only while something touches, and over two bodies alone when no others do; islands are
 /// sought only when there is more than one contact. Damping, gravity, forces, sleeping, motion states and
-/// profiling are left away: all of them are switched off or null in our scene.
+/// profiling are left out: all of them are switched off or null in our scene.
 ///
 /// Source  Bullet 3.24, btDiscreteDynamicsWorld: the order of a step is its own. `BulletWorld` tests compare
 ///         the two to the bit.

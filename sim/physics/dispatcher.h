@@ -8,9 +8,9 @@ namespace physics {
 
 /// Bullet's dispatcher that leaves out pairs of upright bodies which circles round them show to be apart.
 ///
-/// The broadphase works with boxes: of two round bodies whose boxes meet many are a hand apart. A pair is
-/// left out only when it has no contact points and was looked at before, so that Bullet's lists are in the
-/// same order as without: nothing else changes, to the bit.
+/// The broadphase works with boxes: many pairs of round bodies whose boxes meet are clearly apart. A pair is
+/// left out only when it has no contact points and was looked at before, so that Bullet's lists keep the
+/// order they would have otherwise: nothing else changes, to the bit.
 class Dispatcher final : public btCollisionDispatcher {
  public:
   explicit Dispatcher(btCollisionConfiguration* configuration);

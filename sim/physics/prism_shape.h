@@ -18,8 +18,8 @@ namespace physics {
 /// that contacts do not change.
 class PrismShape final : public btConvexHullShape {
  public:
-  /// @param corners      of the base [m], convex, counter-clockwise, 3 to 64, no side turned by less than 3
-  ///                     degrees from the one before
+  /// @param corners      of the base [m], convex, counter-clockwise, 3 to 64, no side turned by less than
+  ///                     3 degrees from the one before
   /// @param half_height  [m]
   PrismShape(std::span<const world::Vector2d> corners, double half_height);
 

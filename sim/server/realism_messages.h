@@ -19,11 +19,14 @@ namespace server {
 ///   camera_overlap                             vision.overlap; both count beyond the middle line
 ///   dribbler_ball_detections                   vision.false_ball_rate, times robots over cameras: the same
 ///                                              number, but only half of ours lie on robots
-///   missing_ball_detections, missing_robot_detections   vision.ball_missing, vision.robot_missing
+///   missing_ball_detections                    vision.ball_missing
+///   missing_robot_detections                   vision.robot_missing
 ///   object_position_offset                     vision.bias_sigma: theirs is one length, ours one per axis
 ///   vision_delay, command_delay                vision.delay, radio.latency, to the nearest tick
 ///   robot_command_loss                         radio.loss
-///   camera_position_error, robot_response_loss, vision_processing_time   none: unsupported unless 0
+///   camera_position_error                      none: unsupported unless 0
+///   robot_response_loss                        none: unsupported unless 0
+///   vision_processing_time                     none: unsupported unless 0
 ///   simulate_dribbling                         none: unsupported if false
 ///
 /// What cannot be obeyed changes nothing and is a problem: code::realism for an unknown key or preset or a

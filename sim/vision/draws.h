@@ -12,8 +12,9 @@ namespace vision {
 
 /// A named source of randomness whose numbers have addresses instead of an order.
 ///
-/// The number for an image, an object and a purpose depends on these, the seed and the name alone. So nothing
-/// that is not asked for can shift anything else, nobody has to draw in vain, and a source is 8 bytes.
+/// The number for an image, an object and a purpose depends on these, the seed and the name alone.
+/// So a number that is not asked for cannot shift any other, no number has to be drawn and thrown away,
+/// and a source is 8 bytes.
 ///
 /// Source  the SplitMix64 generator: Steele, Lea, Flood, "Fast splittable pseudorandom number generators",
 ///         OOPSLA 2014, with the counter computed instead of counted.

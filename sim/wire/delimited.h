@@ -30,8 +30,8 @@ class FrameReader {
   /// @throws FrameError when more than a whole frame was left
   void append(std::span<const std::byte> bytes);
   /// Payload of the next whole frame, valid until `append`; nothing when more bytes are needed.
-  /// @throws FrameError when the length is above the longest or its varint above 5 bytes, before the payload
-  /// has come; then at every further call
+  /// @throws FrameError when the length is above the longest or its varint above 5 bytes,
+  ///         before the payload has come; then at every further call
   std::optional<std::span<const std::byte>> next();
   /// Bytes received but not yet returned: not zero at the end of a stream means it was cut in a frame.
   std::size_t pending() const { return buffer_.size() - begin_; }

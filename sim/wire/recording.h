@@ -34,8 +34,8 @@ class RecordingWriter {
 class RecordingReader {
  public:
   /// Reads the start.
-  /// @throws std::runtime_error naming the file when it cannot be read, is no recording, or of another
-  /// version
+  /// @throws std::runtime_error naming the file when it cannot be read, is no recording,
+  ///         or of another version
   explicit RecordingReader(const std::filesystem::path& path);
   ~RecordingReader();
 

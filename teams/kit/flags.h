@@ -19,8 +19,8 @@ class Flags {
 
   /// Reads the command line, and the file it names, into the values.
   ///
-  /// @return  an exit code when the program is to end: 0 after --help, 2 after a bad flag, file, key or
-  /// value, said in one sentence
+  /// @return  an exit code when the program is to end: 0 after --help, 2 after a bad flag, file,
+  ///          key or value, said in one sentence
   std::optional<int> parse(int argc, const char* const* argv, const std::string& program,
                            const std::string& description) const;
 

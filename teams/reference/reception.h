@@ -11,7 +11,8 @@ using world::Vector2d;
 
 /// What it is worth to receive a flat pass at a point: V(q) without the receiver.
 ///
-/// V(q) = P_reach P_safe [w_s P_goal + w_a A]
+///   V(q) = P_reach P_safe [w_s P_goal + w_a A]
+///
 /// Source  reference "football", 2.6
 struct Reception {
   double speed = 0;      ///< [m/s] of the kick

@@ -22,9 +22,9 @@ struct Meeting {
 /// The earliest place on the ball's way that the robot reaches `reserve` seconds before the ball; where the
 /// ball comes to rest (or leaves the field) when there is none.
 ///
-/// 8 samples over at most 2.5 s and the moment when it passes the robot, then the sign change is refined by
-/// regula falsi. A ball in the air is met where it is low enough: before its first landing seldom, between
-/// low hops or rolling.
+/// 8 samples over at most 2.5 s and the moment when the ball passes the robot; then the sign change is
+/// refined by regula falsi. A ball in the air is met where it is low enough: seldom before its first landing,
+/// else between low hops or rolling.
 ///
 /// @param reach  distance from the robot's centre to the ball when it has it [m]
 /// Source  reference "football", 2.4

@@ -25,7 +25,7 @@ Limits turning_limits(const world::RobotSpecs& specs, double share = 0.9);
 /// The fastest motion along one axis from `speed` now to rest at `distance`: at most one reversal, then
 /// accelerate, cruise, brake.
 ///
-/// Source  reference "football", 2.2, generalised to a brake stronger than the acceleration: the top speed is
+/// Source  reference "football", 2.2, generalised to a brake stronger than the acceleration. The top speed is
 ///         v^2 = (2 a b d + b v0^2) / (a + b).
 class Profile {
  public:

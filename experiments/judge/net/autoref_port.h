@@ -10,8 +10,9 @@ namespace judge {
 
 /// The game controller's port for autorefs: greets, registers, and hears what they report. It never blocks.
 ///
-/// Source  the league's protocol (reference "protocol", 2.8): TCP, varint lengths; a reply first, one
-/// registration, then one reply to every message. Signatures are not looked at, as for a name without a key.
+/// Source  the league's protocol (reference "protocol", 2.8): TCP, varint lengths;
+///         a reply first, one registration, then one reply to every message. Signatures are not looked at,
+///         as for a name without a key.
 class AutorefPort {
  public:
   static constexpr std::uint16_t number = 10007;

@@ -24,7 +24,7 @@ RuleSet paper() {
   //   I-5        every stopping row sets call, kick-team and reset position, in metres.
   //   I-6, I-25  the exit knows where it runs, counts observed frames only, and means the whole ball.
   //   I-11       every kickoff is one, not only the first.
-  //   I-13, I-36, I-37, I-19   half-time and time-outs: which row ends which.
+  //   I-13, I-19 half-time and time-outs: which row ends which (also I-36, I-37).
   //   I-14, I-41 detectors run once per frame and return occurrences; an occurrence is taken once.
   //   I-15, I-16 the wait for steady robots begins when play stops, and the ball must be in its place.
   //   I-17, I-18 the wait has an end (settle_limit), and a half without a stoppage too (half_overrun).

@@ -16,9 +16,10 @@ using testing::HasSubstr;
 using testing::Not;
 
 // The table as it is meant to look, read and agreed on by eye; numbers checked by hand:
-// equal: 0:1 0:2 1:1 1:2 2:1 2:2, so 1-2-3; hindered: six wins of six, sign test 2/64, times two conditions.
-// Pair means -1.5 -0.5 0.5: deviation 1, t(0.975, 2) = 4.303; 6 of 8 sign patterns are as far from zero; the
-// two legs rise together, r = 1.
+// - equal: 0:1 0:2 1:1 1:2 2:1 2:2, so 1-2-3
+// - hindered: six wins of six, sign test 2/64, times two conditions
+// - pair means -1.5 -0.5 0.5: deviation 1, t(0.975, 2) = 4.303; 6 of 8 sign patterns are as far from zero
+// - the two legs rise together, r = 1
 TEST(Text, LooksLikeThis) {
   EXPECT_EQ(as_text(example()), R"(night: ours against theirs
 rule set ssl-2015, realism measured, seed 7, 3 pairs per condition

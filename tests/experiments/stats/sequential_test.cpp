@@ -51,9 +51,11 @@ TEST(MultinomialLlr, OfEffectsGivesThePublishedValues) {
   EXPECT_NEAR(normalised(std::array<double, 3>{10650, 20431, 10871}, -1.75, 0.25), 2.30, 2.30 * theirs);
 }
 
-// Closed forms, up to the 0.001 that stands for none. All draws: the cheapest way to an effect t is a share
-// t^2 of wins. All pairs won: an expected score s needs a share s of them, and t = (s - 1/2) / deviation with
-// deviation 1/2. (fastchess prints 2.97 and 2.94 here: its ten rounds do not converge.)
+// Closed forms, up to the 0.001 that stands for none. (fastchess prints 2.97 and 2.94 here: its ten rounds do
+// not converge.)
+// - All draws: the likeliest way to an effect t is a share t^2 of wins.
+// - All pairs won: an expected score s needs a share s of them, and t = (s - 1/2) / deviation with
+//   deviation 1/2.
 TEST(MultinomialLlr, BearsClassesNobodyHas) {
   const double t1 = 5 * std::log(10.0) / 800;
   EXPECT_NEAR(normalised(std::array<double, 3>{0, 16700, 0}, 0, 5), -16700 * t1 * t1, 0.02);

@@ -205,7 +205,7 @@ TEST(Drive, LocalVelocityMakesACircle) {
 }
 
 TEST(Drive, ASlowedRobotTakesOneOverTheFactor) {
-  // At factor f speed and acceleration are both f times: the same path with time stretched... only for pure
+  // At factor f both speed and acceleration are multiplied by f. The same path takes 1/f of the time only at
   // cruising; from rest over distance d with acceleration a the time is sqrt(2 d / a), so it takes 1/sqrt(f).
   // Cruise is tested here.
   for (const double factor : {0.5, 0.25}) {

@@ -138,8 +138,8 @@ Sweep robot_into(double speed, const Vector2d& at, const std::vector<Vector2d>& 
   return sweep;
 }
 
-// Bullet sees an overlap only after it has happened, so it can be as deep as one step's travel, 33 mm at 8
-// m/s; corners of the hull lie off the nominal circle by 0.7 mm, and a slanting ball slides on for a step
+// Bullet sees an overlap only after it has happened, so it can be as deep as one step's travel, 33 mm at
+// 8 m/s; corners of the hull lie off the nominal circle by 0.7 mm, and a slanting ball slides on for a step
 // while it is pushed out. Walls, 0.2 m thick, are left to single steps at any speed.
 double deepest(const std::string& what, double speed) {
   return (what == "wall" ? speed : 8) * world::substep_length + 0.003;

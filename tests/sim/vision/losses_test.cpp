@@ -47,9 +47,9 @@ TEST(Bursts, HaveTheirRateAndTheirGeometricLengths) {
     const double start = 0.01;
     const Runs found = runs(lost_balls({.ball_burst_start = start, .ball_burst_length = length}, 60'000));
     const double n = found.bursts, mean = found.lost / n;
-    // A geometric length of mean L has the variance L (L - 1) and the mean square L (2 L - 1). The mean is
-    // right within 4 standard errors; the mean square, whose own variance is below that of an exponential
-    // law's square, 20 L^4, too.
+    // A geometric length of mean L has the variance L (L - 1) and the mean square L (2 L - 1). Both the mean
+    // and the mean square are right within 4 standard errors; the variance of the mean square is below
+    // 20 L^4, that of an exponential law's square.
     EXPECT_NEAR(mean, length, 4 * std::sqrt(length * (length - 1) / n));
     EXPECT_NEAR(found.squares / n, length * (2 * length - 1), 4 * length * length * std::sqrt(20 / n));
     // Each seen image is followed by a burst with probability `start`: binomial.
