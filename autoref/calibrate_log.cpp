@@ -18,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t most_cameras = 64;  // ours: the league has four
+
 void require_writable(const fs::path& path) {
   const auto refuse = [&](const std::string& why) {
     throw std::runtime_error(path.string() + ": " + why + "; name a file for --out");
@@ -67,7 +69,7 @@ int calibrate_log(const CalibrateOptions& options, std::ostream& out, std::ostre
     }
   }
   const Survey survey = survey_log(options.file);
-  calibrate::Observer observer;
+  calibrate::Observer observer(options.most_kept);
   Listener listener;
   listener.batch = [&](std::span<const world::Detection> batch) {
     for (const world::Detection& image : batch) observer.add(image);
@@ -76,6 +78,7 @@ int calibrate_log(const CalibrateOptions& options, std::ostream& out, std::ostre
   listener.geometry = [&](const world::Geometry& told) {
     if (!geometry) geometry = told;
     for (const world::Camera& camera : told.cameras) {
+      if (geometry->cameras.size() >= most_cameras) return;
       if (std::ranges::find(geometry->cameras, camera.id, &world::Camera::id) == geometry->cameras.end()) {
         geometry->cameras.push_back(camera);
       }
@@ -86,6 +89,7 @@ int calibrate_log(const CalibrateOptions& options, std::ostream& out, std::ostre
     throw std::runtime_error(
         count.defect.empty() ? options.file.string() + ": holds no images to calibrate from" : count.defect);
   }
+  const bool all = !observer.full();
   const calibrate::Observations seen = observer.finish();
   const calibrate::Report report = calibrate::calibrated(seen, geometry);
   const std::string title = title_of(options, seen);
@@ -96,6 +100,11 @@ int calibrate_log(const CalibrateOptions& options, std::ostream& out, std::ostre
   }
   if (!options.out.empty()) write_whole(options.out, calibrate::to_toml(report, title));
   out.flush();
+  if (!all) {
+    errors << "ssl-autoref: " << options.file.string() << ": only its beginning was measured, since "
+           << options.most_kept
+           << " images and objects in them are as many as are kept; cut the log to measure another part\n";
+  }
   if (!count.defect.empty()) {
     errors << "ssl-autoref: " << count.defect << '\n';
     return 2;

@@ -72,6 +72,9 @@ bool Observations::robot_near(const Vector2d& point, double time, double distanc
 }
 
 void Observer::add(const world::Detection& image) {
+  kept_ += 1 + image.balls.size() + image.robots.size();
+  full_ = full_ || kept_ > most_;
+  if (full_) return;
   const auto [entry, is_new] = index_.try_emplace(image.camera, eyes_.size());
   if (is_new) {
     eyes_.emplace_back(entry->second);

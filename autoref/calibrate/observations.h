@@ -60,10 +60,17 @@ struct Observations {
   bool robot_near(const world::Vector2d& point, double time, double distance) const;
 };
 
-/// Listens to a log and sorts it.
+/// Images and what was seen in them that are kept: about 60 bytes each, and as much again while they are
+/// sorted. Ours: an hour and a half of four cameras with 16 robots.
+inline constexpr std::size_t most_kept = 10'000'000;
+
+/// Listens to a log and sorts it, as much of it as may be kept.
 class Observer {
  public:
+  explicit Observer(std::size_t most = most_kept) : most_(most) {}
   void add(const world::Detection& image);
+  /// An image did not fit any more; it and all after it were left out.
+  bool full() const { return full_; }
   /// What was seen; nothing is left.
   Observations finish();
 
@@ -76,6 +83,9 @@ class Observer {
     std::map<world::RobotId, Linker> robots;
     std::vector<Stray> unread;
   };
+  std::size_t most_;
+  std::size_t kept_ = 0;
+  bool full_ = false;
   std::map<int, std::size_t> index_;
   std::vector<Eye> eyes_;
 };

@@ -16,7 +16,7 @@ namespace host {
 /// referee message whenever it changes and ten times a second, the rate of the league's game controller.
 class LeagueLog {
  public:
-  /// @throws std::runtime_error naming the file
+  /// @throws wire::OutputError naming the file
   LeagueLog(const std::filesystem::path& path, const world::Geometry& geometry,
             const wire::proto::Referee& first);
 
@@ -26,7 +26,7 @@ class LeagueLog {
   void add(world::Time now, const google::protobuf::RepeatedPtrField<wire::proto::SSL_WrapperPacket>& packets,
            const wire::proto::Referee* referee);
 
-  /// @throws std::runtime_error naming the file
+  /// @throws wire::OutputError naming the file
   void close() { writer_.close(); }
 
  private:

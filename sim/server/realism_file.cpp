@@ -4,15 +4,16 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string_view>
+
+#include "sim/files/regular_file.h"
 
 namespace server {
 namespace {
 
 constexpr const char* usual_preset = "measured";  // as in designs
+constexpr std::size_t largest_file = 1 << 20;     // [bytes] as of designs
 
 [[noreturn]] void reject(const std::string& file, const toml::node& node, const std::string& problem) {
   throw std::invalid_argument(fmt::format("{}:{}: {}", file, node.source().begin.line, problem));
@@ -57,11 +58,11 @@ void take_numbers(const toml::table& table, const std::string& prefix, const std
 }
 
 std::string text_of(const std::string& file) {
-  std::ifstream stream(file);
-  if (!stream) throw std::invalid_argument(fmt::format("{}: cannot be read", file));
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  try {
+    return files::text_of(file, largest_file);
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
+  }
 }
 
 }  // namespace

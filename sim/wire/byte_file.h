@@ -9,7 +9,8 @@
 // Plain and gzip files as streams of bytes, for sim/wire's own sources only. The name decides: ".gz" is gzip.
 namespace wire {
 
-/// A file being written. Every error throws std::runtime_error naming the file.
+/// A file being written. Every error throws OutputError naming the file, and removes it: what is on the disk
+/// then is not whole.
 class ByteSink {
  public:
   virtual ~ByteSink() = default;
@@ -28,7 +29,9 @@ class ByteSource {
   virtual bool cut() const = 0;
 };
 
+/// Never waits: a named pipe must have its reader already. Devices are written as they are.
 std::unique_ptr<ByteSink> open_sink(const std::filesystem::path& path);
+/// Regular files only.
 std::unique_ptr<ByteSource> open_source(const std::filesystem::path& path);
 
 }  // namespace wire

@@ -34,7 +34,8 @@ struct LogRecord {
 
 /// Writes an SSL log file of version 1; gzip (level 1) when the name ends in ".gz".
 ///
-/// All functions throw std::runtime_error with one sentence naming the file when the disk refuses.
+/// All functions throw OutputError with one sentence naming the file when the disk refuses; then it is
+/// removed.
 class LogWriter {
  public:
   explicit LogWriter(const std::filesystem::path& path);

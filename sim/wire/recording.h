@@ -14,8 +14,8 @@ using namespace matchday::recording;  // NOLINT: that is the purpose
 
 inline constexpr std::uint32_t recording_version = 2;
 
-/// A recording being written; a name that ends in .gz is packed. Errors throw std::runtime_error naming the
-/// file. One that is not closed is one that was cut off.
+/// A recording being written; a name that ends in .gz is packed. Errors throw OutputError naming the file and
+/// remove it. One that is not closed is one that was cut off.
 class RecordingWriter {
  public:
   explicit RecordingWriter(const std::filesystem::path& path);

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
+
+#include "sim/files/regular_file.h"
 
 namespace kit {
 namespace {
+
+constexpr std::size_t largest_file = 1 << 20;  // [bytes] ours: settings have some hundred
 
 std::string text_of(const toml::node& node) {
   if (const auto* value = node.as_string()) return value->get();
@@ -27,13 +29,15 @@ std::string text_of(const toml::node& node) {
 }  // namespace
 
 std::vector<Setting> read_settings(const std::string& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  if (file) text << file.rdbuf();
-  if (!file || !text) throw std::invalid_argument(path + ": cannot be read; give the path of a TOML file");
+  std::string text;
+  try {
+    text = files::text_of(path, largest_file);
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(std::string(error.what()) + "; give the path of a TOML file");
+  }
   toml::table table;
   try {
-    table = toml::parse(text.str(), path);
+    table = toml::parse(text, path);
   } catch (const toml::parse_error& error) {
     throw std::invalid_argument(path + ":" + std::to_string(error.source().begin.line) +
                                 ": is no TOML: " + std::string(error.description()));

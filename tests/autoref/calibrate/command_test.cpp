@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Calibrate : public ::testing::Test {
  protected:
@@ -68,7 +69,7 @@ class Calibrate : public ::testing::Test {
   int run(const fs::path& file, const fs::path& out = {}, bool json = false) {
     out_.str("");
     errors_.str("");
-    return calibrate_log({file, out, json}, out_, errors_);
+    return calibrate_log({.file = file, .out = out, .json = json}, out_, errors_);
   }
   std::string sentence_of(const fs::path& file, const fs::path& out = {}) {
     try {
@@ -106,6 +107,18 @@ TEST_F(Calibrate, ReadsPackedAndOldLogsAlike) {
   EXPECT_EQ(out_.str().substr(out_.str().find('\n')), table);
   EXPECT_EQ(run(old_log()), 2);  // without geometry
   EXPECT_THAT(out_.str(), HasSubstr("1200 images, 8 robots"));
+}
+
+// 1200 images of a ball and eight robots, of which each camera sees a part.
+TEST_F(Calibrate, OfALongLogMeasuresTheBeginningAndSaysSo) {
+  CalibrateOptions options;
+  options.file = log("game.log");
+  options.most_kept = 3000;
+  EXPECT_EQ(calibrate_log(options, out_, errors_), 0);
+  EXPECT_THAT(out_.str(), HasSubstr("2 cameras"));
+  EXPECT_THAT(out_.str(), Not(HasSubstr("1200 images")));
+  EXPECT_THAT(errors_.str(), HasSubstr("game.log: only its beginning was measured, since 3000 images"));
+  EXPECT_EQ(std::ranges::count(errors_.str(), '\n'), 1);
 }
 
 TEST_F(Calibrate, PrintsJson) {

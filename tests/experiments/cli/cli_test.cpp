@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"realism bad.toml", "bad.toml:2: realism \"real\" is not known", 2},
         Mistake{"realism none.toml", "none.toml: cannot be read", 2},
         Mistake{"realism --set vision.cameras=3", "1, 2, 4, 6 or 8", 2},
-        Mistake{"continue nothing.replies", "nothing.replies: cannot be opened", 2},
+        Mistake{"continue nothing.replies", "nothing.replies: cannot be read", 2},
         Mistake{"continue good.toml", "good.toml: ", 2},
         Mistake{"report . --html --format csv", "excludes --", 2},
         Mistake{"compare a b --run x --h1 nan", "--h1: must be a number", 2},

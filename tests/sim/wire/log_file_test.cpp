@@ -1,13 +1,18 @@
 #include "sim/wire/log_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <unistd.h>
 #include <zlib.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
 
 #include "sim/wire/log_messages.h"
+#include "sim/wire/output_error.h"
+#include "tests/fakes/odd_files.h"
 
 namespace {
 
@@ -277,10 +282,59 @@ TEST_F(LogFile, RefusesOtherFilesWithAHint) {
 
 TEST_F(LogFile, NamesAFileThatCannotBeOpened) {
   EXPECT_EQ(complaint(path("none.log")),
-            path("none.log").string() + ": cannot be opened: No such file or directory");
+            path("none.log").string() + ": cannot be read: No such file or directory");
   EXPECT_EQ(complaint(path("none.log.gz")),
-            path("none.log.gz").string() + ": cannot be opened: No such file or directory");
-  EXPECT_THAT(complaint(directory_), HasSubstr("Is a directory"));
+            path("none.log.gz").string() + ": cannot be read: No such file or directory");
+  EXPECT_THAT(complaint(directory_), HasSubstr("is a folder, a regular file is needed"));
+}
+
+TEST_F(LogFile, ThatIsNoFileIsRefusedAtOnce) {
+  ::alarm(20);  // [s] a file that blocks ends the test
+  for (const std::string name : {"odd.log", "odd.log.gz"}) {
+    for (const fakes::OddFile& odd : fakes::odd_files()) {
+      odd.make(path(name));
+      EXPECT_EQ(complaint(path(name)), path(name).string() + ": " + odd.sentence);
+    }
+    fakes::make_pipe(path(name));
+    EXPECT_THROW(wire::LogWriter{path(name)}, wire::OutputError) << "nobody reads it";
+  }
+  ::alarm(0);
+}
+
+TEST_F(LogFile, IsWrittenIntoAPipeThatSomebodyReads) {
+  fakes::make_pipe(path("pipe.log"));
+  const int reader = ::open(path("pipe.log").c_str(), O_RDONLY | O_NONBLOCK);
+  write_example(path("pipe.log"));
+  std::string bytes(1000, '\0');
+  EXPECT_EQ(::read(reader, bytes.data(), bytes.size()), 16 + 3 * 16 + 10 + 300);
+  ::close(reader);
+  EXPECT_TRUE(fs::is_fifo(path("pipe.log")));
+}
+
+// A disk that is full, as a limit of this process.
+TEST_F(LogFile, ThatCannotBeWrittenIsRemoved) {
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  std::string noise;  // does not compress
+  for (unsigned i = 0, value = 1; i < 50'000; ++i)
+    noise += static_cast<char>((value = value * 1664525 + 1013904223) >> 24);
+  for (const std::string name : {"full.log", "full.log.gz"}) {
+    const rlimit little{1000, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &little);
+    std::string said;
+    try {
+      wire::LogWriter writer(path(name));
+      for (int i = 0; i < 10; ++i) writer.write(0, wire::Vision2014, noise);
+      writer.close();
+    } catch (const wire::OutputError& error) {
+      said = error.what();
+    }
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_EQ(said, path(name).string() + ": cannot be written: File too large");
+    EXPECT_FALSE(fs::exists(path(name)));
+  }
+  std::signal(SIGXFSZ, handler);
 }
 
 TEST_F(LogFile, WritingFailsAloud) {
