@@ -10,9 +10,10 @@ namespace record {
 
 /// What came out when a game of the ledger was played again.
 enum class Verdict : std::uint8_t {
-  Same,              ///< the same hash
-  TeamDiffers,       ///< another hash with live teams, the same from their recorded replies: a team is not
-                     ///< deterministic; no fault, but worth knowing
+  Same,  ///< the same hash
+  /// another hash with live teams, the same from their recorded replies: a team is not deterministic;
+  /// no fault, but worth knowing
+  TeamDiffers,
   SimulatorDiffers,  ///< another hash from the same replies: a mistake of ours
   TeamsOrUsDiffer,   ///< another hash with live teams, and there were no recorded replies to tell more
   Failed             ///< it could not be played again

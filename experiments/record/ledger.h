@@ -40,9 +40,10 @@ enum class Detail { Whole, WithoutTimeline };
 
 /// How a ledger is written.
 enum class Journal {
-  WriteAhead,  ///< readers never wait for the writer nor the writer for readers; needs memory that processes
-               ///< share through files, which network file systems do not have
-  Rollback     ///< a reader in the middle of a query makes the writer wait
+  /// readers never wait for the writer nor the writer for readers; needs memory that processes share through
+  /// files, which network file systems do not have
+  WriteAhead,
+  Rollback  ///< a reader in the middle of a query makes the writer wait
 };
 
 /// Rows of one table by what their checksums say.
@@ -79,8 +80,8 @@ class Ledger {
   /// Opens the ledger for writing; a file that does not exist is created for that experiment.
   ///
   /// @throws LedgerBlocked when another program holds it
-  /// @throws StorageError naming the file: not a ledger, damaged, newer schema, another experiment (both
-  /// hashes)
+  /// @throws StorageError naming the file: not a ledger, damaged, newer schema,
+  ///         another experiment (both hashes)
   static Ledger open(const std::filesystem::path& file, const Experiment& experiment,
                      Journal journal = Journal::WriteAhead);
 
@@ -133,8 +134,8 @@ class Ledger {
   /// Looks at every row.
   LedgerCheck check() const;
 
-  /// Makes one file of it that can be read from anywhere, when nobody else holds it; the ledger may be used
-  /// on.
+  /// Makes one file of it that can be read from anywhere, when nobody else holds it;
+  /// the ledger may be used on.
   void put_together();
 
   struct Connection;  ///< to the file; for the sources of this folder

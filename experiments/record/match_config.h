@@ -35,15 +35,14 @@ std::string text(const RealismConfig& realism);
 /// A game that begins as a recorded one and goes on with live teams.
 struct Continuation {
   std::filesystem::path recording;
-  std::optional<std::int64_t> tick;  ///< the first that live teams answer; nothing: the recorded replies to
-                                     ///< the end, no team is started
+  /// the first that live teams answer; nothing: the recorded replies to the end, no team is started
+  std::optional<std::int64_t> tick;
   bool operator==(const Continuation&) const = default;
 };
 
 /// Everything that decides how a game goes, and where its files go.
 ///
-/// The game is a pure function of the builds and of all fields but `recording`, `log`
-/// and `directory`.
+/// The game is a pure function of the builds and of all fields but `recording`, `log` and `directory`.
 struct MatchConfig {
   world::PerTeam<TeamConfig> teams;
   std::uint64_t seed = 1;

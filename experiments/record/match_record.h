@@ -26,8 +26,8 @@ enum class Termination : std::uint8_t {
   Interrupted,    ///< stopped by the user (harness)
   HarnessFault,   ///< anything else that no team did
   OverLimit,      ///< it used more memory or time, or printed more, than a team may
-  Implausible     ///< over, but no game: a team never moved, robots were missing, or nothing was in play
-                  ///< (harness)
+  /// over, but no game: a team never moved, robots were missing, or nothing was in play (harness)
+  Implausible
 };
 
 /// Who is to blame when a game did not finish.
@@ -88,8 +88,8 @@ std::string to_json(const MatchRecord& record);
 /// Whether the timeline of a record is read: it is nine tenths of a full game's.
 enum class Timeline { Read, Skip };
 
-/// @throws std::invalid_argument naming the field when `text` is not such a line, or a number in it is out of
-/// its range
+/// @throws std::invalid_argument naming the field when `text` is not such a line, or a number in it
+///         is out of its range
 MatchRecord match_record_from_json(const std::string& text, Timeline timeline = Timeline::Read);
 
 /// Who won: by goals when finished, against the team at fault otherwise; void when both or the harness are.

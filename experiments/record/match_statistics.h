@@ -46,8 +46,8 @@ struct Statistic {
 /// pass_completion [%], possession [%], territory [%], turnovers, balls_out, kicks, touches, distance [m].
 std::span<const Statistic> team_statistics();
 
-/// All that belongs to the game, not to a team: ball_in_play [%], passages, longest_passage [s]; the team is
-/// ignored.
+/// All that belongs to the game, not to a team: ball_in_play [%], passages, longest_passage [s].
+/// The team is ignored.
 std::span<const Statistic> game_statistics();
 
 }  // namespace record
