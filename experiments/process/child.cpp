@@ -375,8 +375,8 @@ Exit Child::stop(std::chrono::milliseconds grace) {
     }
     wait(grace);
   }
-  // Until it is reaped its number cannot name another group, so this reaches what it left behind and nobody
-  // else.
+  // Until it is reaped its number cannot name another group, so this reaches what it left
+  // behind and nobody else.
   ::kill(-pid_, SIGKILL);
   reap();
   drain();

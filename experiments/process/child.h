@@ -57,12 +57,12 @@ std::optional<Usage> usage(pid_t process);
 /// that of the largest.
 std::optional<Usage> family_usage(pid_t process);
 
-/// One child process with its own process group, ended with everything in that group at the latest by the
-/// destructor.
+/// One child process with its own process group, ended with everything in that group at the
+/// latest by the destructor.
 ///
-/// The child dies with us (PR_SET_PDEATHSIG), reads what it is given on standard input, inherits no other
-/// open file, and writes into a pipe that drain() copies to a log of limited size. Only this child is ever
-/// waited for.
+/// The child dies with us (PR_SET_PDEATHSIG), reads what it is given on standard input,
+/// inherits no other open file, and writes into a pipe that drain() copies to a log of limited size.
+/// Only this child is ever waited for.
 class Child {
  public:
   /// @throws StartError naming the program and the cause
@@ -92,8 +92,8 @@ class Child {
 
   const OutputLog& output() const { return log_; }
 
-  /// What it has used so far, of a program in a cell with all its processes; the last that was known when it
-  /// has ended.
+  /// What it has used so far, of a program in a cell with all its processes;
+  /// the last that was known when it has ended.
   const Usage& usage();
 
  private:

@@ -25,9 +25,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds patience{2};  // KILL takes microseconds; a process in an uninterruptible wait
-                                             // (a dead network disk) must not hold a night up
-constexpr std::size_t most_members = 4096;   // of a family, so that a fork bomb cannot hold us either
+// KILL takes microseconds; a process in an uninterruptible wait (a dead network disk)
+// must not hold a night up
+constexpr std::chrono::seconds patience{2};
+constexpr std::size_t most_members = 4096;  // of a family, so that a fork bomb cannot hold us either
 
 /// The names in a folder of /proc that are numbers.
 std::vector<pid_t> numbers_in(const std::string& folder) {

@@ -15,8 +15,8 @@ struct TreeSize {
   bool whole = true;        ///< false: there is more, beyond the bounds
 };
 
-/// How far a look at a folder goes; ours: many times what a log needs, and looked through in some
-/// milliseconds.
+/// How far a look at a folder goes; ours: many times what a log needs, and looked
+/// through in some milliseconds.
 struct TreeBounds {
   std::size_t entries = 10'000;
   int depth = 32;

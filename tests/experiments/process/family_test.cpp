@@ -100,8 +100,8 @@ TEST_F(Family, EndsOnlyThoseThatAreMeant) {
 }
 
 TEST_F(Family, EndsThoseThatGoOnStartingOthers) {
-  // Each process starts the next one in a session of its own and ends; at most 200 of them, for a test that
-  // fails.
+  // Each process starts the next one in a session of its own and ends; at most 200 of them,
+  // for a test that fails.
   Child child = shell(
       "s='[ $2 -gt 0 ] || exit; sleep 0.05; setsid sh -c \"$1\" sh \"$1\" $(($2 - 1)) &'; "
       "setsid sh -c \"$s\" sh \"$s\" 200",
