@@ -10,8 +10,9 @@ namespace host {
 /// Puts the ball where the referee wishes, when people with a stick in their hand would.
 ///
 /// At least 0.5 s after the command that stopped play, and not before every hull is 0.15 m away from the
-/// spot; after 3 s anyway, with the robots that stand there moved out. All from DESIGN, "Clock, stages,
-/// stoppages".
+/// spot; after 3 s anyway, with the robots that stand there moved out.
+///
+/// Source  DESIGN, "Clock, stages, stoppages"
 class BallReset {
  public:
   static constexpr double clearance = 0.15;                                 ///< [m] hull to the ball's centre

@@ -7,8 +7,8 @@
 
 namespace host {
 
-/// What a team sees of the machine: its own program and log folder, not the other team's nor the result
-/// folder.
+/// What a team sees of the machine: its own program and log folder, not the other team's
+/// nor the result folder.
 process::Cell cell_of(world::Team team, const record::MatchConfig& config, const Options& options);
 
 }  // namespace host

@@ -12,8 +12,8 @@ namespace {
 
 using record::Termination;
 
-// A game of two halves of 10 minutes takes 20 to 25 simulated minutes; beyond this the referee is stuck
-// (DESIGN).
+// A game of two halves of 10 minutes takes 20 to 25 simulated minutes; beyond this the
+// referee is stuck (DESIGN).
 constexpr world::Duration longest_game = std::chrono::minutes{40};
 // Extra time adds half as much; a shoot-out of twenty kicks takes ten minutes.
 constexpr world::Duration longest_game_with_winner = std::chrono::minutes{80};
@@ -299,8 +299,8 @@ void Match::exchange() {
   for (const world::Team team : world::both_teams) frames[team] = messages_.frame(team, engine_);
   lap(Part::Messages);
 
-  // Both are written before either is read: the teams think at the same time, or at least neither waits for
-  // the other.
+  // Both are written before either is read: the teams think at the same time, or at least
+  // neither waits for the other.
   for (const world::Team team : world::both_teams) teams_[team]->check_nothing_is_ahead(engine_.tick());
   const Budget::Clock::time_point begin = Budget::Clock::now();
   for (const world::Team team : world::both_teams) {

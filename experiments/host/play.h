@@ -27,8 +27,8 @@ inline constexpr std::chrono::milliseconds usual_game{1'440'000};
 
 /// How a game is run, none of which changes what happens in it.
 struct Options {
-  int cpu =
-      -1;  ///< host and teams run on this processor only; -1: wherever the system likes (three times slower)
+  /// host and teams run on this processor only; -1: wherever the system likes (three times slower)
+  int cpu = -1;
   // In the team's own time, see patience.h.
   std::chrono::milliseconds connect_deadline{10'000};  ///< to connect, and then for the hello
   std::chrono::milliseconds reply_deadline{5'000};     ///< for each reply
@@ -67,16 +67,15 @@ struct Options {
   Stopwatch* stopwatch = nullptr;
 };
 
-/// Plays one game in this process, with both teams as child processes, from the first STOP to POST or to a
-/// fault.
+/// Plays one game in this process, with both teams as child processes, from the first STOP
+/// to POST or to a fault.
 ///
-/// The record is complete whatever happens: what a team does wrong is its termination, party at fault and
-/// reason, and so is an internal error of ours (HarnessFault). When it returns, no process of the game is
-/// left.
+/// The record is complete whatever happens: what a team does wrong is its termination,
+/// party at fault and reason, and so is an internal error of ours (HarnessFault). When it returns,
+/// no process of the game is left.
 ///
-/// @throws std::invalid_argument when the configuration names an unknown rule set or realism, or has
-/// impossible robots;
-///         nothing has been started then
+/// @throws std::invalid_argument when the configuration names an unknown rule set or realism,
+///         or has impossible robots; nothing has been started then
 record::MatchRecord play(const record::MatchConfig& config, const Options& options = {});
 
 /// @throws std::invalid_argument naming preset, key or value

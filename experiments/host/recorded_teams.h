@@ -19,8 +19,8 @@ class RecordedTeams {
   const wire::proto::TeamHello& hello(world::Team team) const;
 
   /// The replies to that tick; null when the recording ends before it.
-  /// @throws std::runtime_error naming the file when the recording has another tick at this place, or teams
-  /// whose keeper is not on the field
+  /// @throws std::runtime_error naming the file when the recording has another tick at this place,
+  ///         or teams whose keeper is not on the field
   const wire::proto::Tick* replies(std::int64_t tick);
   /// After the end: the file stops in the middle of a record.
   bool cut() const { return reader_.cut(); }

@@ -86,8 +86,9 @@ class TeamProcess {
   void settle_budget(Budget::Clock::time_point now);
   double own_seconds() const { return budget_.own_seconds(); }  ///< of its time, in this game
 
-  // These wait, within what was allowed; beyond it is a fault.
+  // The next functions wait, but no longer than allowed; a team that takes longer has a fault.
   // They throw MachineTooSlow when the team could not run, NobodysFault when its cell could not be made.
+
   /// Waits for its connection. Only a process of the team is let in.
   void accept(const Idle& while_waiting);
   /// Writes one frame.
@@ -113,8 +114,8 @@ class TeamProcess {
   /// Empties the pipe of its standard output.
   void drain();
 
-  /// OverLimit when its processes hold more memory, or have printed and written more, than that [bytes]; 0:
-  /// any amount.
+  /// OverLimit when its processes hold more memory, or have printed and written more,
+  /// than that [bytes]; 0: any amount.
   void check_limits(std::int64_t memory, std::int64_t output);
 
   /// Says goodbye, gives it `grace` to leave, and ends what is left of it.
@@ -154,8 +155,8 @@ class TeamProcess {
   Budget budget_;
   std::vector<pid_t> strays_;  // of its processes that left their parents
   Budget::Clock::time_point strays_looked_for_{};
-  Patience::Clock::duration strays_interval_ =
-      std::chrono::milliseconds{250};  // doubles: most leave at the start
+  // doubles: most leave at the start
+  Patience::Clock::duration strays_interval_ = std::chrono::milliseconds{250};
   process::Usage usage_;
 };
 

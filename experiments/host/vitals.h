@@ -12,14 +12,15 @@ namespace host {
 /// Signs that a game was one: both teams moved, the robots that may play were there, the referee was heard.
 ///
 /// A game in which a team's program runs but controls nothing ends 0:0 like any other and would count;
-/// harness reviews found such games in published tables. Looked at once a simulated second, so it costs
-/// nothing.
+/// harness reviews found such games in published tables. Looked at once a simulated
+/// second, so it costs nothing.
 class Vitals {
  public:
   // Numbers of ours.
-  static constexpr double least_way = 0.3;     ///< [m] from the first place: three robot radii, no mere push
-  static constexpr int longest_miscount = 10;  ///< [s] of GAME_OFF in a row, where cards are acted on at once
-                                               ///< (robot_count.h); coming back may have to wait for room
+  static constexpr double least_way = 0.3;  ///< [m] from the first place: three robot radii, no mere push
+  /// [s] of GAME_OFF in a row, where cards are acted on at once (robot_count.h);
+  /// coming back may have to wait for room
+  static constexpr int longest_miscount = 10;
 
   /// One look at the game.
   void add(const truth::Frame& truth, const world::PerTeam<world::TeamCommands>& commands,

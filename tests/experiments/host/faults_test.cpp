@@ -1,5 +1,5 @@
-// Every way in which a team can go wrong ends the game with the right party at fault, and leaves nothing
-// behind.
+// Every way in which a team can go wrong ends the game with the right party at fault,
+// and leaves nothing behind.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,8 +24,8 @@ using record::Termination;
 using testing::AnyOf;
 using testing::HasSubstr;
 
-// Living processes that got this variable from us; /proc shows what a process started with, so never
-// ourselves.
+// Living processes that got this variable from us; /proc shows what a process started
+// with, so never ourselves.
 int living_with(const std::string& variable) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
@@ -193,8 +193,8 @@ TEST_F(Faults, FloodsTheChannel) {
   }
 }
 
-// Each answer has the right number, and is there before the tick: seen in the first whole second at the
-// latest.
+// Each answer has the right number, and is there before the tick: seen in the first
+// whole second at the latest.
 TEST_F(Faults, AnswersTicksThatItHasNotSeen) {
   const auto record = play_against("ahead");
   expect_blue(record, Termination::Nonsense, "");
