@@ -10,8 +10,8 @@ namespace runner {
 
 /// Writes games into the ledger, and the files that are kept of them.
 ///
-/// The ledger is told before files are thrown away and after they are kept, so that a run may be killed in
-/// between.
+/// The ledger is told before files are thrown away and after they are kept, so that a run
+/// may be killed in between.
 class Archive {
  public:
   /// @param limit   [bytes] of kept files

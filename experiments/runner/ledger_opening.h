@@ -25,7 +25,7 @@ struct Opening {
 ///
 /// @param signal  set to the number of the signal that came first; then there is no ledger
 /// @throws record::StorageError as Ledger::open, when the patience has come to its end, and when the manifest
-/// is of games with another isolation
+///         is of games with another isolation
 std::optional<record::Ledger> open_ledger(const ResultFolder& folder, const Manifest& manifest,
                                           const Opening& opening, Signals& signals, int& signal,
                                           std::ostream& out);

@@ -17,8 +17,8 @@ struct Manifest {
   std::string version;                    ///< of matchday
   std::string protocol;                   ///< of the channel between host and team
   std::vector<std::string> command_line;  ///< that made the folder
-  std::string isolation;                  ///< of the teams, in words: its level, and why it is not more.
-                                          ///< Every run in the folder has that level
+  /// of the teams, in words: its level, and why it is not more. Every run in the folder has that level
+  std::string isolation;
 };
 
 /// Writes the manifest with compiler, processor, date and, inside a git checkout, the commit.

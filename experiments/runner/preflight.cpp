@@ -9,9 +9,9 @@
 namespace runner {
 namespace {
 
-constexpr double half_length = 15;  // [s]: both teams take a kickoff; with its stops about 1.5 simulated
-                                    // minutes, half a second of a processor
-constexpr std::size_t times = 2;    // each, to compare the hashes
+// [s]: both teams take a kickoff; with its stops about 1.5 simulated minutes, half a second of a processor
+constexpr double half_length = 15;
+constexpr std::size_t times = 2;  // each, to compare the hashes
 
 }  // namespace
 

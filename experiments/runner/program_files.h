@@ -34,9 +34,9 @@ std::string hash_of(const std::string& text);
 
 /// The identity of an experiment: equal for two runs whose games must be the same.
 ///
-/// Over the canonical design (which has rule set and realism), the contents of the teams' files and of the
-/// program that plays the games, and `protocol`, the version of the channel between host and team. Paths do
-/// not count.
+/// Over the canonical design (which has rule set and realism), the contents of the teams' files and
+/// of the program that plays the games, and `protocol`, the version of the channel between host and
+/// team. Paths do not count.
 std::string experiment_hash(const schedule::Design& design, const std::vector<ProgramFile>& files,
                             const std::string& protocol);
 

@@ -66,8 +66,9 @@ struct RunResult {
 /// finish, the second ends them. While it runs, status.json in the result folder says how it stands.
 ///
 /// @throws std::invalid_argument when a team's program cannot be found
-/// @throws record::StorageError when the result folder cannot be used or holds another experiment, when the
-/// disk is full, or when a program of the experiment is changed meanwhile; nothing is lost but running games
+/// @throws record::StorageError when the result folder cannot be used or holds another experiment,
+///         when the disk is full, or when a program of the experiment is changed meanwhile;
+///         nothing is lost but running games
 RunResult run(const schedule::Design& design, const RunOptions& options, std::ostream& progress);
 
 }  // namespace runner

@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* prefix = "matchday-run-";
 
-/// Whether a name that stood in a file is one that only we give, and the folder is ours: nothing else is
-/// removed.
+/// Whether a name that stood in a file is one that only we give, and the folder is ours:
+/// nothing else is removed.
 bool is_ours(const fs::path& path) {
   struct stat info {};
   return path.parent_path() == fs::temp_directory_path() && path.filename().string().starts_with(prefix) &&

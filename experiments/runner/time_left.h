@@ -18,10 +18,13 @@ class TimeLeft {
 
   /// For `games` more, `workers` at a time; nothing before the second game.
   ///
-  /// Mean m and deviation s of the k games so far: n games on w workers take n m / w, with the error of their
-  /// own scatter and of the mean, s sqrt(n + n^2 / k) / w, times Student's quantile for k - 1 degrees of
-  /// freedom (games independent and normal). The last games of a
-  /// run, when not all workers have one, are neglected.
+  /// With mean m and deviation s of the k games so far, n games on w workers take
+  ///
+  ///   n m / w +- q s sqrt(n + n^2 / k) / w
+  ///
+  /// The error is that of their own scatter and of the mean; q is Student's quantile for k - 1 degrees of
+  /// freedom (games are taken as independent and normal). The end of a run, when not all workers have a game,
+  /// is neglected.
   std::optional<Estimate> estimate(std::size_t games, std::size_t workers) const;
 
  private:

@@ -1,6 +1,6 @@
-// A worker whose teams toss coins: each scores a Poisson number of goals, drawn from the game's seed, whose
-// mean stands in its command as goals=1.5. Games take no time, so that whole experiments can be played by the
-// thousand.
+// A worker whose teams toss coins: each scores a Poisson number of goals, drawn from the game's seed,
+// whose mean stands in its command as goals=1.5. Games take no time, so that whole experiments can be
+// played by the thousand.
 //
 //   coin_worker JOB RESULT
 #include <cmath>

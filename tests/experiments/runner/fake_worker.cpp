@@ -2,10 +2,18 @@
 //
 //   fake_worker [--milliseconds N] [--fail always|first] [--how HOW] JOB RESULT
 //
-// HOW is crash, abort, exit, hang (before it plays), stuck (while it plays, printing all the time), long
-// (goes on without end), silent (no result), nonsense (a bad one), eater (takes memory), forfeit,
-// interrupted. These make a game good but strange: differs (another hash whenever teams play live), unstable
-// (another hash always), daemon (leaves a process in a session of its own).
+// HOW is one of:
+//   crash, abort, exit, forfeit, interrupted
+//   hang      before it plays
+//   stuck     while it plays, printing all the time
+//   long      goes on without end
+//   silent    no result
+//   nonsense  a bad result
+//   eater     takes memory
+// or, for a game that is good but strange:
+//   differs   another hash whenever teams play live
+//   unstable  another hash always
+//   daemon    leaves a process in a session of its own
 //
 // --fail first: only in the first attempt of pairs whose seed says so, about one game in four.
 #include <signal.h>

@@ -68,8 +68,7 @@ class Night : public RunTest {
   }
 };
 
-// --- the user
-// ------------------------------------------------------------------------------------------------
+// --- the user ------------------------------------------------------------------------------------
 
 TEST_F(Night, FirstSignalLetsRunningGamesFinishAndStartsNone) {
   const pid_t child = play_elsewhere(options("a", {"--milliseconds", "3000"}));
@@ -155,8 +154,7 @@ TEST_F(Night, FilesThatAreKeptAreInTheLedgerAsTheyAre) {
   EXPECT_EQ(there[0].checksum, record::checksum_of_file(root / "manifest.json"));
 }
 
-// --- before the night
-// ----------------------------------------------------------------------------------------
+// --- before the night ----------------------------------------------------------------------------
 
 TEST_F(Night, PreflightFailsBeforeAnyGameIsPlayed) {
   RunOptions faulty = options("a", {"--fail", "always", "--how", "forfeit"});
@@ -178,8 +176,7 @@ TEST_F(Night, PreflightSaysOnceThatATeamIsNotDeterministicAndGoesOn) {
   EXPECT_THAT(said_, Not(HasSubstr("deterministic"))) << "not again when a folder is continued";
 }
 
-// --- audits
-// --------------------------------------------------------------------------------------------------
+// --- audits --------------------------------------------------------------------------------------
 
 struct Strange {
   const char* how;
@@ -217,8 +214,7 @@ TEST_F(Night, AuditsThatWereMissedAreMadeWhenTheFolderIsContinued) {
   EXPECT_EQ(table("a").size(), 16U);
 }
 
-// --- evidence
-// ------------------------------------------------------------------------------------------------
+// --- evidence ------------------------------------------------------------------------------------
 
 TEST_F(Night, KeepsTheFilesOfSampledGames) {
   RunOptions sampling = options("a");
@@ -242,8 +238,7 @@ TEST_F(Night, KeptFilesStayWithinTheirLimit) {
   EXPECT_THAT(said_, HasSubstr("from now on the oldest go"));
 }
 
-// --- processes
-// -----------------------------------------------------------------------------------------------
+// --- processes -----------------------------------------------------------------------------------
 
 TEST_F(Night, EndsProcessesThatAGameLeftBehindInSessionsOfTheirOwn) {
   EXPECT_EQ(play(options("a", {"--how", "daemon"})), Ending::Done);
@@ -308,8 +303,7 @@ TEST_F(Night, AWorkerThatTakesTooMuchMemoryIsEnded) {
   EXPECT_EQ(attempt->record.at_fault, record::Party::Harness);
 }
 
-// --- the disk
-// ------------------------------------------------------------------------------------------------
+// --- the disk ------------------------------------------------------------------------------------
 
 TEST_F(Night, DoesNotBeginOnAFullDisk) {
   RunOptions full = options("a");
@@ -446,8 +440,7 @@ TEST_F(Night, AFileThatMayNotGrowEndsTheRunWithASentence) {
   EXPECT_EQ(table("a"), expected());
 }
 
-// --- the ledger
-// ----------------------------------------------------------------------------------------------
+// --- the ledger ----------------------------------------------------------------------------------
 
 TEST_F(Night, ADamagedLedgerIsRefusedAndNotTouched) {
   play(options("a"));
@@ -640,8 +633,7 @@ TEST_F(Night, AfterARunTheLedgerIsOneFile) {
   EXPECT_EQ(database.execAndGet("PRAGMA journal_mode").getString(), "delete");
 }
 
-// --- programs and clocks
-// -------------------------------------------------------------------------------------
+// --- programs and clocks -------------------------------------------------------------------------
 
 class NightProgram : public Night {
  protected:
@@ -698,8 +690,7 @@ TEST_F(Night, AWallClockThatJumpsChangesNothing) {
   EXPECT_EQ(table("a"), expected());
 }
 
-// --- the report
-// ----------------------------------------------------------------------------------------------
+// --- the report ----------------------------------------------------------------------------------
 
 TEST_F(Night, RenewsTheReportWhileItRunsAndAtTheEnd) {
   RunOptions reporting = options("a", {"--milliseconds", "40"});

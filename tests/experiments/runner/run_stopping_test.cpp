@@ -136,9 +136,9 @@ TEST_F(RunStopping, OfPrecisionEndsWhenItIsReached) {
   EXPECT_LE(standing.score.standard_error, 0.2);
 }
 
-// Seeds are fixed. Of 12 tests at an error rate of 5 % more than 3 err once in 440 choices of seeds. In
-// tests/experiments/stopping thousands are played without processes; `scripts/coin_teams` plays hundreds with
-// them.
+// Seeds are fixed. Of 12 tests at an error rate of 5 % more than 3 err once in 440 choices of seeds.
+// In tests/experiments/stopping thousands are played without processes; `scripts/coin_teams`
+// plays hundreds with them.
 TEST_F(RunStopping, CoinFlipTeamsAreCalledBetterNoMoreOftenThanAlphaAllows) {
   const auto errors = [&](const std::string& name, double a_mean, double b_mean, stopping::Decision wrong) {
     int count = 0;

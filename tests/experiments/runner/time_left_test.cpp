@@ -53,8 +53,8 @@ int nights_inside(int games) {
   return inside;
 }
 
-// 950 of 1000 with a standard deviation of 7; four of them. With the normal quantile 3 games would give about
-// 810.
+// 950 of 1000 with a standard deviation of 7; four of them are allowed. With the normal quantile, 3 games
+// would give about 810.
 TEST(TimeLeft, HoldsTheTruthNineteenTimesInTwentyHoweverFewTheGames) {
   for (const int games : {3, 5, 30}) {
     EXPECT_GT(nights_inside(games), 950 - 28) << games;
