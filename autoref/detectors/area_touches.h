@@ -19,9 +19,9 @@ namespace detectors {
 ///          since the goalie may stand beside a defender that offends.
 /// Pressed  between two robots for two frames: hulls within 10 mm of the ball on opposite sides of it. Nobody
 ///          sees where between them it is, but in so narrow a gap it touches both.
-/// Source   ours. A ball hidden for more than 0.6 s may be carried by anyone. 10 mm is twice the error of a
-///          hidden ball at a hull. The contact is dated to when the hull came within 20 mm, at most 0.3 s
-///          back.
+/// Source   ours. A ball hidden for more than 0.6 s may be carried by anyone.
+///          10 mm is twice the error of a hidden ball at a hull. The contact is dated to when the hull came
+///          within 20 mm, at most 0.3 s back.
 class AreaTouches {
  public:
   struct One {

@@ -9,15 +9,15 @@ namespace detectors {
 
 /// CHIPPED_GOAL: a goal that does not count, because the ball was too high before.
 ///
-/// Rule    laws of 2015, Law 12, indirect free kicks and decision 7: a robot made the ball's top rise above
-///         150 mm, and it went into the opponents' goal without having touched a team-mate of that robot
-///         while below 150 mm, and without having rolled ("stopped bouncing"). A goal into the robot's own
-///         goal counts, unless a touch of an opponent made the ball rise above 150 mm: then the opponent is
-///         to blame.
+/// Rule    laws of 2015, Law 12, indirect free kicks and decision 7: a robot made the ball's top rise
+///         above 150 mm, and it went into the opponents' goal without having touched a team-mate of
+///         that robot while below 150 mm, and without having rolled ("stopped bouncing"). A goal into
+///         the robot's own goal counts, unless a touch of an opponent made the ball rise above 150 mm:
+///         then the opponent is to blame.
 /// Guard   that of the goal, in the same tick; the goal then does not count. A ball is high when
-///         TrackedBall::position or Flight::highest says so and the filter became sure that it flew. It
-///         rolls when it had no flight for chip_rolling, or for landed_rolling if its flight ended on the
-///         ground.
+///         TrackedBall::position or Flight::highest says so and the filter became sure that it flew.
+///         It rolls when it had no flight for chip_rolling, or for landed_rolling if its
+///         flight ended on the ground.
 /// Blames  who touched the ball last before it was high, but nobody above whom it passed.
 /// Limits  as good as the filter's heights; with RuleSet::chip_model off no ball is ever high.
 class ChippedGoal final : public Detector {

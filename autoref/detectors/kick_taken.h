@@ -18,10 +18,10 @@ namespace detectors {
 ///         distances and the second frame are ours, against hiccups of the filter).
 /// Again   (Law 12, cautions 3 and 5: free kicks, goal kicks and corner kicks) when an opponent was near at
 ///         the last attempt too, of the same team from within 0.1 m.
-/// Blames  the nearest robot of the team that may kick (I-34); a kick by an opponent shows as an opponent
-///         near the ball. Distances are measured to where the ball lay: a wall is not near because the ball
-///         flew at it. 20 mm of tolerance for the opponents, as in TIGERs' autoref (reference "protocol",
-///         6.4).
+/// Blames  the nearest robot of the team that may kick (I-34); a kick by an opponent shows
+///         as an opponent near the ball. Distances are measured to where the ball lay:
+///         a wall is not near because the ball flew at it. 20 mm of tolerance for the opponents,
+///         as in TIGERs' autoref (reference "protocol", 6.4).
 class KickTaken final : public Detector {
  public:
   explicit KickTaken(const world::RuleSet& rules)

@@ -17,10 +17,10 @@ using world::Vector2d;
 /// Who touches the ball: the paper's `accel`, `line` and `backtrack`, our `reach` and our
 /// `likelihood`, joined by OR.
 ///
-/// The first four report at most one touch per robot and frame; contact that lasts is reported again and
-/// again, since what counts is who touched last. A contributor needs as many consecutive frames as it looks
-/// back (accel 3, backtrack 4, line 6, reach 3), of the ball and of that robot; a gap in time starts its
-/// memory anew.
+/// The first four report at most one touch per robot and frame; contact that lasts is reported
+/// again and again, since what counts is who touched last. A contributor needs as many consecutive
+/// frames as it looks back (accel 3, backtrack 4, line 6, reach 3), of the ball and of that robot;
+/// a gap in time starts its memory anew.
 ///
 /// `likelihood` also reports a touch again, with its old time, when its probability has changed, and an older
 /// touch again when a newer one turns out to be none. So whoever reads touches in order always has the most

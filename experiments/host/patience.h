@@ -11,9 +11,9 @@ namespace host {
 /// How long a team may take for something, in its own time: while it sleeps or computes the clock counts,
 /// while it only waits for a processor or a disk it does not, and neither while the host itself stands still.
 ///
-/// So a good team is not blamed for a machine under load or one that was suspended, and a team that is silent
-/// on a quiet machine has exactly the time allowed. Looked at every 0.1 s; a team that answers sooner costs
-/// nothing.
+/// So a good team is not blamed for a machine under load or one that was suspended,
+/// and a team that is silent on a quiet machine has exactly the time allowed. Looked at every 0.1 s;
+/// a team that answers sooner costs nothing.
 class Patience {
  public:
   using Clock = std::chrono::steady_clock;

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view prefix = "matchday-";
 constexpr std::size_t random_letters = 6;  // of mkdtemp
-// Ours: between the making of a directory and its lock lie microseconds; builds that knew no lock need theirs
-// no longer.
+// Ours: between the making of a directory and its lock lie microseconds; builds that knew no lock
+// need theirs no longer.
 constexpr std::time_t youngest = 3600;  // [s]
 
 bool is_named_as_ours(const std::string& name) {

@@ -6,8 +6,8 @@ namespace host {
 
 /// A directory of our own (mode 0700) in the system's temporary directory, gone with this object.
 ///
-/// It is locked, so that the next one to be made can tell those that a killed program has left, and removes
-/// them.
+/// It is locked, so that the next one to be made can tell those that a killed program has
+/// left, and removes them.
 class PrivateDirectory {
  public:
   /// @throws std::runtime_error naming the directory

@@ -22,9 +22,9 @@ class TimeLeft {
   ///
   ///   n m / w +- q s sqrt(n + n^2 / k) / w
   ///
-  /// The error is that of their own scatter and of the mean; q is Student's quantile for k - 1 degrees of
-  /// freedom (games are taken as independent and normal). The end of a run, when not all workers have a game,
-  /// is neglected.
+  /// The error is that of their own scatter and of the mean; q is Student's quantile for k - 1 degrees
+  /// of freedom (games are taken as independent and normal). The end of a run, when not all workers
+  /// have a game, is neglected.
   std::optional<Estimate> estimate(std::size_t games, std::size_t workers) const;
 
  private:

@@ -39,9 +39,9 @@ class TomlTable {
   std::optional<TomlTable> table(const std::string& key);
   std::optional<std::vector<TomlTable>> tables(const std::string& key);
 
-  /// Gives `take` every number whose key was not asked for yet, here and in tables inside, together with its
-  /// name from here ("vision.ball_sigma"), and with table and key for complaints. Anything else there is
-  /// rejected.
+  /// Gives `take` every number whose key was not asked for yet, here and in tables inside,
+  /// together with its name from here ("vision.ball_sigma"), and with table and key for complaints.
+  /// Anything else there is rejected.
   void numbers(const std::function<void(const std::string& name, double value, TomlTable& table,
                                         const std::string& key)>& take);
 

@@ -52,8 +52,8 @@ Aim aim_of(const FreePath& path, world::Side goal, const world::Geometry& geomet
 /// Pass        A kick that is next touched by a team-mate: a completed pass. Or a kick that is no shot, goes
 ///             within 0.5 m of a team-mate at least 0.2 m away from the ball, and is next touched by an
 ///             opponent or by nobody. A kick that is next touched by the kicker itself is no pass.
-/// Possession  Time in play during which the team was the last to have touched the ball since the last
-///             stoppage.
+/// Possession  Time in play during which the team was the last to have touched the ball
+///             since the last stoppage.
 /// Turnover    The other team touches the ball in play and then remains the last to have done so for 0.5 s.
 /// Territory   Time in play with the ball in the other team's half.
 /// Ball out    The whole ball is over a line in play and not in a goal. Counts for the team that touched it

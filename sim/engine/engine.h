@@ -40,9 +40,9 @@ class Snapshot {
 
 /// The simulator: a constant Model, a State that changes, and `step`.
 ///
-/// Nothing is called back; after a step read `truth()` and `detections()`. The same model and the same
-/// commands give the same bits, in this process and in another one of the same binary on the same class of
-/// CPU.
+/// Nothing is called back; after a step read `truth()` and `detections()`.
+/// The same model and the same commands give the same bits, in this process and in another one of the same
+/// binary on the same class of CPU.
 class Engine {
  public:
   /// Robots start in a line-up in their own half, one of each team in its goal mouth,

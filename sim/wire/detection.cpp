@@ -8,8 +8,8 @@ namespace wire {
 namespace {
 
 constexpr std::uint32_t max_camera_id = 255;  // ours: no set-up has more than 8 cameras
-// Ours: at most 160 false balls, the worst that a realism can ask for; and each of the 32 patterns seen twice
-// is 64.
+// Ours: at most 160 false balls, the worst that a realism can ask for; and each of the 32
+// patterns seen twice is 64.
 constexpr std::size_t max_balls = 256;
 constexpr std::size_t max_robots = 64;
 

@@ -34,8 +34,8 @@ struct LogRecord {
 
 /// Writes an SSL log file of version 1; gzip (level 1) when the name ends in ".gz".
 ///
-/// All functions throw OutputError with one sentence naming the file when the disk refuses; then it is
-/// removed.
+/// All functions throw OutputError with one sentence naming the file when the disk
+/// refuses; then it is removed.
 class LogWriter {
  public:
   explicit LogWriter(const std::filesystem::path& path);

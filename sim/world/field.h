@@ -57,10 +57,10 @@ struct Geometry {
   double ball_switch_ratio = 5.0 / 7.0;  ///< rolling begins at this share of the kick speed
 };
 
-/// `count` cameras over the centres of equal parts of the field: 1, 2 (halves), 4 (quarters), 6 or 8 (two
-/// rows). The paper has four (3.1), and 4 m is the usual height of SSL-Vision set-ups. Their focal length is
-/// the default, or a smaller one, in whole pixels, where robots at the walls would otherwise be outside the
-/// image.
+/// `count` cameras over the centres of equal parts of the field: 1, 2 (halves), 4 (quarters),
+/// 6 or 8 (two rows). The paper has four (3.1), and 4 m is the usual height of SSL-Vision set-ups.
+/// Their focal length is the default, or a smaller one, in whole pixels, where robots at the walls would
+/// otherwise be outside the image.
 ///
 /// @throws std::invalid_argument for another count or a height that is not positive
 std::vector<Camera> camera_grid(const Field& field, int count, double height);

@@ -19,9 +19,9 @@ namespace judge {
 /// - The acting referee's messages come on 224.5.23.1:10003: when they change, and ten times a second.
 /// - It reports to the game controller's port 10007.
 ///
-/// Time in the packets is the match's; they are sent at its pace by the wall clock, or `speed` times as fast.
-/// It hears `linger` later that play was stopped: the league's controller takes a second to stop it, ours a
-/// tick.
+/// Time in the packets is the match's; they are sent at its pace by the wall clock,
+/// or `speed` times as fast. It hears `linger` later that play was stopped: the league's controller takes a
+/// second to stop it, ours a tick.
 ///
 /// What it says depends on the machine's load: such a shadow is not deterministic. The game is.
 class NetShadow {
