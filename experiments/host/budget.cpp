@@ -31,11 +31,11 @@ std::string text(std::chrono::milliseconds span) {
 }
 
 /// [s] of threads and children that have ended.
-double ended(const process::Activity& team) { return team.processor_seconds - team.living_seconds; }
+double ended(const TeamTime& team) { return team.processor_seconds - team.living_seconds; }
 
 }  // namespace
 
-void Budget::begin(Allowed allowed, Clock::time_point now, const process::Activity& team, double host_delay) {
+void Budget::begin(Allowed allowed, Clock::time_point now, const TeamTime& team, double host_delay) {
   *this = {};
   begun_ = true;
   allowed_ = allowed;
@@ -57,7 +57,7 @@ void Budget::begin_second(std::int64_t number, Clock::time_point now) {
   own_second_ = 0;
 }
 
-void Budget::look(Clock::time_point now, const process::Activity& team, double host_delay) {
+void Budget::look(Clock::time_point now, const TeamTime& team, double host_delay) {
   if (!begun_ || now <= looked_) return;
   count_wait(now);
   const double own = own_since_last_look(team, host_delay);
@@ -71,21 +71,18 @@ void Budget::look(Clock::time_point now, const process::Activity& team, double h
   host_delay_ = host_delay;
 }
 
-double Budget::own_since_last_look(const process::Activity& team, double host_delay) {
+double Budget::own_since_last_look(const TeamTime& team, double host_delay) {
   const double used = team.processor_seconds - processor_at_begin_;
   // Delays of threads that have ended are not known. 0.05 s: the steps in which processor time is counted.
-  const bool exact = team.delays_known && team.delay_seconds >= last_.delay_seconds &&
-                     team.living_seconds >= last_.living_seconds &&
+  const bool exact = team.delays_known && team.living_seconds >= last_.living_seconds &&
                      ended(team) - ended_at_begin_ < 0.05 + 0.05 * used;
   const double processor = exact ? team.living_seconds - last_.living_seconds
                                  : std::max(0.0, team.processor_seconds - last_.processor_seconds);
   double slept = 0;  // and computed, while it was waited for
-  if (waiting_ && team.wants_machine) {
-    // The delay that it is in is not counted yet. Who has answered may still be on the way to its next wait.
-  } else if (exact) {
+  if (exact) {
     const double delays = team.delay_seconds - last_.delay_seconds + std::max(0.0, host_delay - host_delay_);
     slept = seconds(waited_) - delays;
-  } else if (waiting_) {
+  } else if (waiting_ && !team.wants_machine) {
     slept = seconds(waited_);  // it was seen asleep
   }
   return std::max(processor, slept);

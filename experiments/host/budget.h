@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <string>
 
-#include "experiments/process/family.h"
+#include "experiments/host/team_time.h"
 
 namespace host {
 
 /// How much of its own time a team may use: its processor time, or the time for which it lets the host wait
-/// while it neither wants a processor nor the disk, whichever is more.
+/// less what the machine owes it (TeamClock), whichever is more.
 ///
 /// Patience (patience.h) is for one reply; this is for the sum of all replies of a simulated second and of a
 /// game, however short each of them. While all is well it costs a look at the clock per reply. Once a second,
@@ -28,7 +28,7 @@ class Budget {
   /// The first tick is about to be sent.
   /// @param team        what its processes have done so far
   /// @param host_delay  [s] for which the host has wanted a processor and had none so far
-  void begin(Allowed allowed, Clock::time_point now, const process::Activity& team, double host_delay);
+  void begin(Allowed allowed, Clock::time_point now, const TeamTime& team, double host_delay);
   /// The next simulated second begins; they are counted from 1.
   void begin_second(std::int64_t number, Clock::time_point now);
 
@@ -55,7 +55,7 @@ class Budget {
 
   bool wants_look(Clock::time_point now) const { return begun_ && now - looked_ >= interval_; }
   /// The parameters are those of begin().
-  void look(Clock::time_point now, const process::Activity& team, double host_delay);
+  void look(Clock::time_point now, const TeamTime& team, double host_delay);
 
   /// "used 21.3 s of its own time for simulated second 14, 20 s are allowed"; empty while it has enough.
   std::string excess() const;
@@ -66,7 +66,7 @@ class Budget {
   // We look at the channel every 10 ms: when it was much longer, we did not run ourselves.
   static constexpr std::chrono::milliseconds longest_step{20};
 
-  double own_since_last_look(const process::Activity& team, double host_delay);
+  double own_since_last_look(const TeamTime& team, double host_delay);
 
   Allowed allowed_;
   bool begun_ = false;
@@ -79,7 +79,7 @@ class Budget {
   std::int64_t second_ = 1;
   double own_second_ = 0;  ///< [s]
   double own_game_ = 0;    ///< [s]
-  process::Activity last_;
+  TeamTime last_;
   double host_delay_ = 0;          ///< [s] at the last look
   double processor_at_begin_ = 0;  ///< [s]
   double ended_at_begin_ = 0;      ///< [s] of threads and children that had ended

@@ -107,7 +107,7 @@ void Match::start_teams() {
   // Both are tried, so that both are to blame when neither starts.
   for (const world::Team team : world::both_teams)
     teams_[team]->start({config_.directory, log_folder(team, config_), options_.kept_output,
-                         cell_of(team, config_, options_)});
+                         cell_of(team, config_, options_), options_.disk_wait});
 }
 
 void Match::greet_teams() {

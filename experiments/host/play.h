@@ -32,6 +32,9 @@ struct Options {
   // In the team's own time, see patience.h.
   std::chrono::milliseconds connect_deadline{10'000};  ///< to connect, and then for the hello
   std::chrono::milliseconds reply_deadline{5'000};     ///< for each reply
+  /// In a game a team may wait so long for the disk, beside its own time (team_time.h). Ours: with 5 s for a
+  /// reply it ends before the 30 s that make a game void.
+  std::chrono::milliseconds disk_wait{20'000};
   Budget::Allowed budget{usual_second, usual_game};  ///< for all replies, see budget.h; not in continuations
   std::chrono::milliseconds stop_grace{1'000};       ///< between goodbye or TERM and KILL
 

@@ -47,6 +47,7 @@ void TeamProcess::blame(Termination termination, const std::string& what) {
 
 void TeamProcess::start(const Start& how) {
   logs_ = how.logs;
+  clock_ = TeamClock(how.disk_wait);
   process::Command command;
   command.arguments = config_.command;
   command.directory = config_.directory;
@@ -71,13 +72,13 @@ void TeamProcess::count_time(Patience::Clock::time_point now) {
   if (!child_ || fault_) return;
   // Who has answered waits for us, while we wait for the other team.
   if (budget_.waiting() && channel_ && channel_->has_input()) budget_.answered(now);
-  patience_.count(now, [&] { return activity(now); });
+  patience_.count(now, [&] { return time(now); });
   if (!budget_.wants_look(now)) return;
-  budget_.look(now, activity(now), process::own_delay());
+  budget_.look(now, time(now), process::own_delay());
   if (const std::string excess = budget_.excess(); !excess.empty()) blame(Termination::OverLimit, excess);
 }
 
-process::Activity TeamProcess::activity(Budget::Clock::time_point now) {
+TeamTime TeamProcess::time(Budget::Clock::time_point now) {
   std::vector<pid_t> processes = process::family_of(child_->pid());
   if (now - strays_looked_for_ > strays_interval_) {
     strays_looked_for_ = now;
@@ -87,15 +88,15 @@ process::Activity TeamProcess::activity(Budget::Clock::time_point now) {
   for (const pid_t stray : strays_) {
     if (std::find(processes.begin(), processes.end(), stray) == processes.end()) processes.push_back(stray);
   }
-  return process::activity_of(processes);
+  return clock_.read(now, process::activity_of(processes));
 }
 
 void TeamProcess::begin_budget(Budget::Allowed allowed, Budget::Clock::time_point now) {
-  if (child_ && !fault_) budget_.begin(allowed, now, activity(now), process::own_delay());
+  if (child_ && !fault_) budget_.begin(allowed, now, time(now), process::own_delay());
 }
 
 void TeamProcess::settle_budget(Budget::Clock::time_point now) {
-  if (child_ && !child_->has_ended()) budget_.look(now, activity(now), process::own_delay());
+  if (child_ && !child_->has_ended()) budget_.look(now, time(now), process::own_delay());
 }
 
 bool TeamProcess::waited_enough(Termination termination, const std::string& what) {

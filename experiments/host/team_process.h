@@ -60,6 +60,7 @@ class TeamProcess {
     std::filesystem::path logs;  ///< where it may write; empty: nowhere. Removed at the end when it is empty
     std::size_t kept_output;     ///< [bytes] of what it prints
     process::Cell cell;          ///< what it sees, apart from its socket
+    std::chrono::milliseconds disk_wait;  ///< not its own time, see TeamClock
   };
   /// Starts the program; NotStarted when that fails.
   void start(const Start& how);
@@ -133,7 +134,7 @@ class TeamProcess {
   void check_logs(std::int64_t output);
   void note_gone();  // it closed the channel or ended: why?
   bool waited_enough(record::Termination termination, const std::string& what);  // blames it when so
-  process::Activity activity(Budget::Clock::time_point now);
+  TeamTime time(Budget::Clock::time_point now);
 
   world::Team team_;
   record::TeamConfig config_;
@@ -153,6 +154,7 @@ class TeamProcess {
   std::optional<Fault> fault_;
   Patience patience_;
   Budget budget_;
+  TeamClock clock_{std::chrono::milliseconds{0}};
   std::vector<pid_t> strays_;  // of its processes that left their parents
   Budget::Clock::time_point strays_looked_for_{};
   // doubles: most leave at the start

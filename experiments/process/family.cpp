@@ -1,7 +1,9 @@
 #include "experiments/process/family.h"
 
 #include <dirent.h>
+#include <sched.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -65,6 +67,8 @@ struct Stat {
   char state = 0;
   double used = 0;      ///< [s] of processor time
   double children = 0;  ///< [s] the same of children that were waited for
+  int nice = 0;
+  int policy = 0;  ///< SCHED_OTHER, ...
 };
 std::optional<Stat> read_stat(const std::string& folder) {
   std::ifstream stream(folder + "/stat");
@@ -79,6 +83,9 @@ std::optional<Stat> read_stat(const std::string& folder) {
   for (int field = 4; field < 14; ++field) fields >> skipped;
   std::array<double, 4> ticks{};  // user, system, and both of children
   for (double& one : ticks) fields >> one;
+  fields >> skipped >> stat.nice;
+  for (int field = 20; field < 41; ++field) fields >> skipped;
+  fields >> stat.policy;
   if (!fields) return std::nullopt;
   const auto a_second = static_cast<double>(::sysconf(_SC_CLK_TCK));
   stat.used = (ticks[0] + ticks[1]) / a_second;
@@ -98,15 +105,48 @@ std::optional<Turns> read_turns(const std::string& folder) {
   return Turns{1e-9 * turns.on, 1e-9 * turns.waiting};
 }
 
-void add_thread(const std::string& folder, Activity& sum) {
+/// The nice value of all processes of its session together; 0 on a kernel without CONFIG_SCHED_AUTOGROUP.
+int autogroup_nice(const std::string& folder) {
+  std::ifstream stream(folder + "/autogroup");  // "/autogroup-7 nice 0"
+  std::string skipped;
+  int nice = 0;
+  stream >> skipped >> skipped >> nice;
+  return stream ? nice : 0;
+}
+
+/// What decides when a thread gets a processor.
+struct Claim {
+  int nice = 0;
+  int group_nice = 0;
+  cpu_set_t processors{};
+};
+cpu_set_t processors_of(pid_t thread) {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  ::sched_getaffinity(thread, sizeof set, &set);  // where it fails, more than 1024 or just ended: none
+  return set;
+}
+Claim our_claim() { return {::getpriority(PRIO_PROCESS, 0), autogroup_nice("/proc/self"), processors_of(0)}; }
+bool claims_less(const Stat& stat, int group_nice, pid_t thread, const Claim& ours) {
+  if (stat.policy == SCHED_IDLE || stat.nice > ours.nice || group_nice > std::max(0, ours.group_nice))
+    return true;
+  const cpu_set_t processors = processors_of(thread);
+  return !CPU_EQUAL(&processors, &ours.processors);
+}
+
+void add_thread(pid_t id, const std::string& folder, int group_nice, const Claim& ours, Activity& sum) {
   const std::optional<Stat> stat = read_stat(folder);
   if (!stat) return;  // it has just ended
-  sum.wants_machine = sum.wants_machine || stat->state == 'R' || stat->state == 'D';
   const std::optional<Turns> turns = read_turns(folder);
   sum.delays_known = sum.delays_known && turns;
-  if (!turns) return;
-  sum.living_seconds += turns->on;
-  sum.delay_seconds += turns->waiting;
+  const double on = turns ? turns->on : 0;
+  sum.living_seconds += on;
+  sum.threads.push_back({.id = id,
+                         .wants_processor = stat->state == 'R',
+                         .uninterruptible = stat->state == 'D',
+                         .by_choice = claims_less(*stat, group_nice, id, ours),
+                         .on_seconds = on,
+                         .delay_seconds = turns ? turns->waiting : 0});
 }
 
 /// KILL through a pidfd, so that it reaches nobody who has got the number meanwhile.
@@ -198,12 +238,16 @@ std::int64_t family_memory(pid_t process) {
 
 Activity activity_of(std::span<const pid_t> processes) {
   Activity sum;
+  const Claim ours = our_claim();
   for (const pid_t process : processes) {
     // Of the process, not the sum of its threads: those that have ended are in it.
     const std::optional<Stat> stat = read_stat(folder_of(process));
     if (stat) sum.processor_seconds += stat->used + stat->children;
     const std::string tasks = folder_of(process) + "/task";
-    for (const pid_t thread : numbers_in(tasks)) add_thread(tasks + "/" + std::to_string(thread), sum);
+    const int group_nice = autogroup_nice(folder_of(process));
+    for (const pid_t thread : numbers_in(tasks)) {
+      add_thread(thread, tasks + "/" + std::to_string(thread), group_nice, ours, sum);
+    }
   }
   return sum;
 }

@@ -48,13 +48,22 @@ bool belongs_to(pid_t process, pid_t leader);
 /// Whether it was started with an environment in which a line "NAME=VALUE" begins with `entry`.
 bool was_started_with(pid_t process, const std::string& entry);
 
+/// What a thread is doing, and has done so far.
+struct Thread {
+  pid_t id = 0;
+  bool wants_processor = false;  ///< it runs, or would if it had one
+  bool uninterruptible = false;  ///< it waits for a disk, a child of vfork or something else in the kernel
+  bool by_choice = false;        ///< it runs with less priority, or on other processors, than we do
+  double on_seconds = 0;         ///< [s] on a processor
+  double delay_seconds = 0;      ///< [s] for which it wanted one and had none, without the wait it is in
+};
+
 /// What processes are doing, and have done so far.
 struct Activity {
   double processor_seconds = 0;  ///< [s] used, also by threads and children that have ended, to 0.01 s
   double living_seconds = 0;     ///< [s] of that by the threads that live, to the nanosecond
-  double delay_seconds = 0;      ///< [s] for which these wanted a processor and had none
-  bool delays_known = true;      ///< the kernel counts the last two (CONFIG_SCHED_INFO, as usual)
-  bool wants_machine = false;    ///< a thread of them runs, or would if it had a processor or its disk
+  bool delays_known = true;      ///< the kernel counts times of threads (CONFIG_SCHED_INFO, as usual)
+  std::vector<Thread> threads;   ///< that live
 };
 Activity activity_of(std::span<const pid_t> processes);
 /// The same of a process and its descendants.

@@ -1,9 +1,12 @@
 // A team that misbehaves in one way, to see that the host notices, says so, and goes on.
 
 #include <fcntl.h>
+#include <linux/membarrier.h>
+#include <sched.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -77,6 +80,13 @@ constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK] [--milli
   late          sleeps N ms before each answer from TICK on
   think         computes N ms before each answer from TICK on
   busy-late     the same as late, and computes in a thread all the time
+  vfork         stops answering at TICK, in a wait for a child as uninterruptible as one for a disk
+  barriers      stops answering at TICK, in short uninterruptible waits
+  naps          stops answering at TICK, and is awake for a moment all the time
+  naps-elsewhere  the same on all processors but those of the game
+  idle          stops answering at TICK, and computes with the lowest priority
+  modest-group  the same in a session of its own, which has a low priority
+  vfork-late    sleeps N ms before each answer from TICK on, in a child of vfork
   burner        answers at once and computes in a process of its own all the time
   stray-burner  the same, in a session of its own, without parents
   notes         sends the longest note that is allowed, and as many unknown bytes, with every answer
@@ -168,6 +178,34 @@ void think(std::chrono::milliseconds span) {
   const auto used = [] { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
   const double end = used() + static_cast<double>(span.count());
   while (used() < end) {
+  }
+}
+
+/// Waits without end, but so that it looks as if the machine were to blame.
+[[noreturn]] void pretend(const std::string& mode) {
+  if (mode == "vfork" && ::vfork() == 0) {  // NOLINT(clang-analyzer-security.insecureAPI.vfork)
+    ::sleep(120);
+    ::_exit(0);
+  }
+  if (mode == "idle") {
+    const sched_param none{};
+    ::sched_setscheduler(0, SCHED_IDLE, &none);
+  }
+  if (mode == "naps-elsewhere") {
+    cpu_set_t ours;
+    ::sched_getaffinity(0, sizeof ours, &ours);
+    cpu_set_t others;
+    CPU_ZERO(&others);
+    for (std::size_t i = 0; i < CPU_SETSIZE; ++i) {
+      if (!CPU_ISSET(i, &ours)) CPU_SET(i, &others);
+    }
+    ::sched_setaffinity(0, sizeof others, &others);
+  }
+  if (mode == "modest-group") std::ofstream("/proc/self/autogroup") << 19;
+  if (mode == "idle" || mode == "modest-group") burn();
+  while (true) {
+    if (mode == "barriers") ::syscall(SYS_membarrier, MEMBARRIER_CMD_GLOBAL, 0, 0);
+    if (mode.starts_with("naps")) ::usleep(50);
   }
 }
 
@@ -291,6 +329,9 @@ void misbehave(const Arguments& arguments, const Connection& host, wire::proto::
     ::signal(SIGTERM, SIG_IGN);
     hang();
   }
+  for (const char* pretence : {"vfork", "barriers", "naps", "naps-elsewhere", "idle", "modest-group"}) {
+    if (mode == pretence) pretend(mode);
+  }
   if (mode == "crash" || mode == "fork-children") crash();
   if (mode == "exit") std::exit(0);
   if (mode == "close") {
@@ -303,6 +344,14 @@ void misbehave(const Arguments& arguments, const Connection& host, wire::proto::
     fakes::Trespass().try_all(std::filesystem::read_symlink("/proc/self/exe"));
   }
   if (mode == "late" || mode == "busy-late") std::this_thread::sleep_for(arguments.span);
+  if (mode == "vfork-late") {
+    const pid_t child = ::vfork();
+    if (child == 0) {
+      ::usleep(static_cast<useconds_t>(arguments.span.count() * 1000));
+      ::_exit(0);
+    }
+    ::waitpid(child, nullptr, 0);
+  }
   if (mode == "think") think(arguments.span);
   const auto add_commands = [&](int count) {
     for (int i = 0; i < count; ++i) message.mutable_reply()->mutable_control()->add_robot_commands();
@@ -363,6 +412,10 @@ int play(const Arguments& arguments) {
     if (::fork() != 0) ::_exit(0);
   }
   start_burning(mode);
+  if (mode == "modest-group") {
+    if (::fork() != 0) hang();
+    ::setsid();
+  }
   if (mode == "linger") ::signal(SIGTERM, SIG_IGN);
 
   Connection host;

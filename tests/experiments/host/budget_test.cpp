@@ -60,7 +60,7 @@ class BudgetTest : public testing::Test {
   }
 
   Budget::Clock::time_point now_{};
-  process::Activity team_{.processor_seconds = 3, .living_seconds = 3, .delay_seconds = 1};
+  TeamTime team_{.processor_seconds = 3, .living_seconds = 3, .delay_seconds = 1};
   double host_delay_ = 4;
   double ended_ = 0;  // [s] of threads that have ended
   std::int64_t second_ = 1;
@@ -123,10 +123,9 @@ TEST_F(BudgetTest, DoesNotCountWhileTheHostStandsStill) {
 
 // Between two looks that see it want a processor or the disk; after an answer that says nothing.
 TEST_F(BudgetTest, DoesNotCountASleepInWhichSomeThreadWantsAProcessorOrTheDisk) {
-  team_.wants_machine = true;
   budget_.sent(now_);
-  pass(20s);
-  EXPECT_EQ(budget_.own_seconds(), 0);
+  pass(20s, &team_.delay_seconds);
+  EXPECT_NEAR(budget_.own_seconds(), 0, 1e-6);
   budget_.answered(now_);
   settle();
   play({.sleeps = 1ms});

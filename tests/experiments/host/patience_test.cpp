@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace host {
 namespace {
 
@@ -19,9 +21,10 @@ class PatienceTest : public testing::Test {
     for (const auto end = now_ + span; now_ < end && !patience_.is_over();) {
       now_ += 10ms;
       processor_ += 0.01 * share;
+      if (wants) delay_ += 0.01 * std::max(0.0, 1 - share);
       patience_.count(now_, [&] {
         ++looks_;
-        return process::Activity{.processor_seconds = processor_, .wants_machine = wants};
+        return TeamTime{.processor_seconds = processor_, .delay_seconds = delay_};
       });
     }
   }
@@ -32,6 +35,7 @@ class PatienceTest : public testing::Test {
   Patience::Clock::time_point begin_{};
   Patience::Clock::time_point now_ = begin_;
   double processor_ = 3;  // [s] of the game before
+  double delay_ = 2;      // [s] of the game before
   int looks_ = 0;
   Patience patience_;
 };

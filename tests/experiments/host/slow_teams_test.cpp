@@ -60,6 +60,11 @@ TEST_F(SlowTeams, AThreadThatComputesHidesNoSleep) {
   expect_blue(play_against(fakes::slow_team("busy-late", 20)), second_allowed);
 }
 
+TEST_F(SlowTeams, AWaitThatLooksLikeTheDisksHidesNoSleep) {
+  options_.disk_wait = 100ms;
+  expect_blue(play_against(fakes::slow_team("vfork-late", 20)), second_allowed);
+}
+
 TEST_F(SlowTeams, TheGameHasABudgetToo) {
   options_.budget = {.second = 250ms, .game = 400ms};
   const auto record = play_against(fakes::slow_team("late", 2));  // 0.12 s a second

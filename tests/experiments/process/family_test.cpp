@@ -25,6 +25,17 @@ bool soon(const std::function<bool()>& condition) {
   return false;
 }
 
+bool wants_processor(const Activity& activity) {
+  return std::any_of(activity.threads.begin(), activity.threads.end(),
+                     [](const Thread& thread) { return thread.wants_processor; });
+}
+/// Whoever runs.
+bool all_by_choice(const Activity& activity) {
+  return wants_processor(activity) &&
+         std::all_of(activity.threads.begin(), activity.threads.end(),
+                     [](const Thread& thread) { return thread.by_choice || !thread.wants_processor; });
+}
+
 class Family : public testing::Test {
  protected:
   /// A shell with our mark in its environment.
@@ -54,14 +65,14 @@ TEST_F(Family, FindsProcessesByWhatTheyWereStartedWithInAnySession) {
 
 TEST_F(Family, SeesWhoSleepsAndWhoWantsAProcessor) {
   const Child sleeper = shell("sleep 1000", mark_);
-  ASSERT_TRUE(soon([&] { return !family_activity(sleeper.pid()).wants_machine; }));
+  ASSERT_TRUE(soon([&] { return !wants_processor(family_activity(sleeper.pid())); }));
   Child worker = shell("(while :; do :; done) & wait", mark_);  // its child works, itself it sleeps
-  ASSERT_TRUE(soon([&] { return family_activity(worker.pid()).wants_machine; }));
+  ASSERT_TRUE(soon([&] { return wants_processor(family_activity(worker.pid())); }));
   const double before = family_activity(worker.pid()).processor_seconds;
   EXPECT_TRUE(soon([&] { return family_activity(worker.pid()).processor_seconds > before + 0.05; }));
   EXPECT_LT(family_activity(sleeper.pid()).processor_seconds, 1);
   worker.stop(0ms);
-  EXPECT_FALSE(family_activity(worker.pid()).wants_machine) << "there is no such process any more";
+  EXPECT_FALSE(wants_processor(family_activity(worker.pid()))) << "there is no such process any more";
 }
 
 // What a child has used that has ended is its parent's: some 0.3 s for the loop.
@@ -83,10 +94,52 @@ TEST_F(Family, KnowsHowLongSomebodyWaitedForAProcessor) {
   ASSERT_TRUE(soon([&] { return family_activity(three.pid()).living_seconds > 0.3; }));
   const Activity all = family_activity(three.pid());
   EXPECT_TRUE(all.delays_known);
-  EXPECT_GT(all.delay_seconds, all.living_seconds) << "twice it, but for the last turns";
+  double delays = 0;
+  for (const Thread& thread : all.threads) delays += thread.delay_seconds;
+  EXPECT_GT(delays, all.living_seconds) << "twice it, but for the last turns";
   EXPECT_NEAR(all.living_seconds, all.processor_seconds, 0.2)
       << "steps of 0.01 s of user and system time each";
   three.stop(0ms);
+}
+
+TEST_F(Family, SeesWhoHasChosenToWait) {
+  const std::string loop = "sh -c 'while :; do :; done'";
+  const std::string group = "/proc/self/autogroup";
+  std::vector<std::string> scripts = {"exec nice " + loop, "exec chrt --idle 0 " + loop};
+  if (std::thread::hardware_concurrency() > 1)
+    scripts.push_back("exec taskset -c $(taskset -cp $$ | sed 's/.*[^0-9]//') " + loop);
+  if (::access(group.c_str(), W_OK) == 0) {
+    scripts.push_back("setsid sh -c 'echo 5 > " + group + "; while :; do :; done' & wait");
+  }
+  for (const std::string& script : scripts) {
+    Child child = shell(script, mark_);
+    EXPECT_TRUE(soon([&] { return all_by_choice(family_activity(child.pid())); })) << script;
+    child.stop(0ms);
+    end_started_with(entry_);
+  }
+  Child batch = shell("exec chrt --batch 0 " + loop, mark_);
+  EXPECT_TRUE(soon([&] { return wants_processor(family_activity(batch.pid())); }));
+  EXPECT_FALSE(all_by_choice(family_activity(batch.pid())));
+  batch.stop(0ms);
+}
+
+// The state of a wait for the disk, as far as anybody can see.
+TEST_F(Family, SeesUninterruptibleWaits) {
+  const pid_t parent = ::fork();
+  if (parent == 0) {
+    if (::vfork() == 0) {
+      ::sleep(1000);
+      ::_exit(0);
+    }
+    ::_exit(0);
+  }
+  const auto waits = [](const Thread& thread) { return thread.uninterruptible && !thread.wants_processor; };
+  EXPECT_TRUE(soon([&] {
+    const std::vector<Thread> threads = activity_of(std::vector{parent}).threads;
+    return std::any_of(threads.begin(), threads.end(), waits);
+  }));
+  for (const pid_t member : family_of(parent)) ::kill(member, SIGKILL);
+  ::waitpid(parent, nullptr, 0);
 }
 
 TEST_F(Family, EndsOnlyThoseThatAreMeant) {
