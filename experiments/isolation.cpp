@@ -32,6 +32,7 @@ ChosenIsolation chosen_isolation(std::optional<Isolation> asked, const std::stri
   } else if (!limit.problem.empty()) {
     sentence += ", no more is possible here: " + limit.problem;
   }
+  if (level != Isolation::None && !limit.gap.empty()) sentence += ", but " + limit.gap;
   return {level, sentence};
 }
 

@@ -53,6 +53,7 @@ void TeamProcess::start(const Start& how) {
   command.directory = config_.directory;
   command.environment = {{socket_variable, listener_.path().string()}};
   command.expendable = true;
+  command.own_keys = true;
   command.output_limit = how.kept_output;
   if (!how.directory.empty()) command.output = how.directory / (std::string(world::name(team_)) + ".log");
   isolated_ = how.cell.level != process::Isolation::None;

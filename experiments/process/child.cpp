@@ -1,6 +1,7 @@
 #include "experiments/process/child.h"
 
 #include <fcntl.h>
+#include <linux/keyctl.h>
 #include <poll.h>
 #include <sched.h>
 #include <sys/prctl.h>
@@ -117,6 +118,7 @@ struct Prepared {
   const char* directory = nullptr;  // null: stay
   const cpu_set_t* cpus = nullptr;  // null: as inherited
   bool expendable = false;
+  bool own_keys = false;
   int kept = -1;  // a file that is passed on
   pid_t parent = -1;
   int input = -1;
@@ -151,6 +153,8 @@ struct Prepared {
       ::close(score);
     }
   }
+  // What one program leaves in a session's keyring, all later ones read. A kernel without keys has none to read.
+  if (prepared.own_keys) ::syscall(SYS_keyctl, KEYCTL_JOIN_SESSION_KEYRING, nullptr);
   if (prepared.directory != nullptr && ::chdir(prepared.directory) != 0) give_up(prepared, Step::Directory);
   if (prepared.cpus != nullptr && ::sched_setaffinity(0, sizeof(cpu_set_t), prepared.cpus) != 0) {
     give_up(prepared, Step::Cpu);
@@ -223,6 +227,7 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
   prepared.directory = directory.empty() ? nullptr : directory.c_str();
   prepared.cpus = command.cpu >= 0 ? &cpus : nullptr;
   prepared.expendable = command.expendable;
+  prepared.own_keys = command.own_keys;
   prepared.kept = status ? status->write_end : -1;
   prepared.parent = ::getpid();
   prepared.input = input.file;

@@ -28,6 +28,7 @@ struct Command {
   std::size_t output_limit = std::size_t{4} << 20;  ///< [bytes] of that file
   int cpu = -1;                                     ///< the only one to run on; -1: as we do
   bool expendable = false;                          ///< the first to go when the machine is out of memory
+  bool own_keys = false;                            ///< it has none of the keys of our session (keyrings(7))
   std::optional<Cell> cell{};                       ///< what it sees; nothing: what we see
 };
 

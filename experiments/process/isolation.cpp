@@ -1,12 +1,16 @@
 #include "experiments/process/isolation.h"
 
 #include <pwd.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <set>
 #include <system_error>
 
 #include "experiments/process/child.h"
@@ -137,6 +141,7 @@ class Mounts {
     for (const fs::path& path : named(arguments, directory)) show_file(path);
     show_file(program);
     for (const fs::path& path : cell.writable) plan_[real(path)] = {Kind::Writable, real(path)};
+    forget_unreachable();
     home_ = own_homes.empty() ? fs::path("/tmp/home") : own_homes.front();
   }
 
@@ -161,7 +166,9 @@ class Mounts {
   /// Only the places that are meant for it take what a program writes.
   void close_hidden(std::vector<std::string>& words) const {
     for (const fs::path& path : hidden_) {
-      if (plan_.at(path).kind == Kind::Empty) words.insert(words.end(), {"--remount-ro", path.string()});
+      const auto there = plan_.find(path);
+      if (there == plan_.end() || there->second.kind != Kind::Empty) continue;
+      words.insert(words.end(), {"--remount-ro", path.string()});
     }
   }
 
@@ -177,6 +184,20 @@ class Mounts {
     if (folder.empty() || folder == "/" || !fs::is_directory(folder, ignored)) return;
     list.push_back(folder);
     plan_[folder] = {Kind::Empty, {}};
+  }
+
+  /// A hidden folder in one that is empty itself is not there at all, so that not even its name is seen.
+  void forget_unreachable() {
+    for (const fs::path& path : hidden_) {
+      const auto place = plan_.find(path);
+      if (place == plan_.end() || place->second.kind != Kind::Empty) continue;
+      const auto inner = std::next(place);  // the plan is sorted by path: what is in a folder follows it
+      if (inner != plan_.end() && is_in(inner->first, path)) continue;
+      fs::path above = path.parent_path();
+      while (above != above.root_path() && !plan_.contains(above)) above = above.parent_path();
+      const auto outer = plan_.find(above);
+      if (outer != plan_.end() && outer->second.kind == Kind::Empty) plan_.erase(place);
+    }
   }
 
   bool is_covered(const fs::path& path) const { return is_in_any(path, masked_) || is_in_any(path, hidden_); }
@@ -207,6 +228,42 @@ class Mounts {
   std::map<fs::path, Mount> plan_;
   fs::path home_;
 };
+
+/// What the kernel shows of itself in /proc, processes left out: settings that root may write even without
+/// capabilities, as core_pattern, and for which a namespace is no hindrance.
+std::set<std::string> kernel_places() {
+  std::set<std::string> found;
+  std::error_code error;
+  fs::directory_iterator entries("/proc", error);
+  for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
+    const std::string word = entries->path().filename().string();
+    struct stat status {};
+    const bool is_process = word.find_first_not_of("0123456789") == std::string::npos;
+    if (is_process || ::lstat(entries->path().c_str(), &status) != 0) continue;
+    const bool may_be_written = S_ISREG(status.st_mode) && (status.st_mode & 0222U) != 0;
+    if (S_ISDIR(status.st_mode) || may_be_written) found.insert(entries->path().string());
+  }
+  return found;
+}
+
+/// Whether programs can make user namespaces here, as bubblewrap finds out for --unshare-user-try.
+bool namespaces_can_be_made() {
+  std::ifstream stream("/proc/sys/user/max_user_namespaces");
+  long most = 1;  // an old kernel that does not say
+  stream >> most;
+  return ::access("/proc/self/ns/user", F_OK) == 0 && most > 0;
+}
+
+/// Whether this bubblewrap can forbid it in a cell: not one before 0.8.0, nor one with rights of its own
+/// (set-user-ID). Its help is looked for in its file: starting it may fail for a moment, and a cell would be
+/// weaker than what was said.
+bool can_forbid_namespaces(const fs::path& bubblewrap) {
+  struct stat status {};
+  if (::stat(bubblewrap.c_str(), &status) != 0 || (status.st_mode & S_ISUID) != 0) return false;
+  std::ifstream stream(bubblewrap, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return text.find("--disable-userns") != std::string::npos;
+}
 
 }  // namespace
 
@@ -271,23 +328,23 @@ std::vector<std::string> isolated_command(const Cell& cell, int status, const fs
                                           const fs::path& directory) {
   const fs::path work = directory.empty() ? fs::current_path() : real(directory);
   const Mounts mounts(cell, program, arguments, work);
-  std::vector<std::string> words = {find_program("bwrap").string(),
-                                    "--unshare-user-try",
-                                    "--unshare-pid",
-                                    "--unshare-ipc",
-                                    "--unshare-uts",
-                                    "--unshare-cgroup-try",
-                                    "--die-with-parent",
-                                    "--cap-drop",
-                                    "ALL",
-                                    "--json-status-fd",
-                                    std::to_string(status)};
+  const fs::path bubblewrap = find_program("bwrap");
+  std::vector<std::string> words = {
+      bubblewrap.string(), "--unshare-pid", "--unshare-ipc", "--unshare-uts",    "--unshare-cgroup-try",
+      "--die-with-parent", "--cap-drop",    "ALL",           "--json-status-fd", std::to_string(status)};
+  // In a user namespace of its own a program could mount: control groups, with which root ends the host.
+  if (namespaces_can_be_made() && can_forbid_namespaces(bubblewrap)) {
+    words.insert(words.end(), {"--unshare-user", "--disable-userns"});
+  } else {
+    words.emplace_back("--unshare-user-try");
+  }
   if (cell.level == Isolation::Network) words.emplace_back("--unshare-net");
   // No way to our terminal, whose shell would take what is typed there; a session of its own (setsid) would
   // have the scheduler's autogroups treat each team as much as all else of a user.
   words.insert(words.end(),
                {"--ro-bind", "/", "/", "--proc", "/proc", "--dev", "/dev", "--size", room, "--tmpfs",
                 "/dev/shm", "--ro-bind", "/dev/null", "/dev/tty", "--remount-ro", "/dev"});
+  for (const std::string& place : kernel_places()) words.insert(words.end(), {"--ro-bind", place, place});
   mounts.append_to(words);
   words.insert(words.end(), {"--dir", mounts.home().string(), "--dir", work.string()});
   mounts.close_hidden(words);
@@ -311,6 +368,11 @@ IsolationLimit isolation_limit() {
       const Exit exit = child.stop(std::chrono::milliseconds{0});
       if (exit.clean()) {
         limit.strongest = level;
+        if (namespaces_can_be_made() && !can_forbid_namespaces(find_program("bwrap"))) {
+          limit.gap =
+              "programs can make namespaces of their own (bubblewrap from 0.8.0 on, without set-user-ID, "
+              "prevents that)";
+        }
         return limit;
       }
       if (limit.problem.empty()) {

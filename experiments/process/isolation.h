@@ -58,6 +58,7 @@ std::vector<std::string> isolated_command(const Cell& cell, int status, const st
 struct IsolationLimit {
   Isolation strongest = Isolation::None;
   std::string problem;  ///< why there is no more, in one sentence; empty: there is nothing above
+  std::string gap;      ///< what a cell does not keep from programs here, though it should; empty: nothing
 };
 
 /// Tries it by starting programs, the strongest level first; takes some 10 ms.

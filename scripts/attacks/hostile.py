@@ -26,7 +26,7 @@ class Hostile(Row):
     checks = ("each team's game ends in the one way that is right for it, the fault is its own, no game is void; the games beside it "
               "are as undisturbed; nothing is left behind")
     least = 6
-    seconds = 620
+    seconds = 640
 
     def __init__(self, arena, seed):
         super().__init__(arena, seed)

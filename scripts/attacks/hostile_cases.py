@@ -3,10 +3,11 @@
 # Harms nobody: the game is played to its end.
 FINISHED = {"slow_connect", "slow_hello", "pauses", "lingers", "crash_at_end", "requests", "backtick_name", "bidi_name", "longest_name",
             "largest_frame", "closes_output", "prints", "forks", "daemons", "hidden_daemon", "many_files", "fills_folder", "odd_files",
-            "not_numbers", "no_such_robots"}
+            "not_numbers", "no_such_robots", "leaves_key"}
 # Aimed at others: who is isolated does not reach them, and the game is played. Without isolation it may go either way.
 OUT_OF_REACH = {"kills_other_team", "stops_other_team", "kills_runner", "stops_host", "kills_all", "kills_parent", "traces_others",
-                "visits_early", "visits_others", "removes_socket", "writes_ledger", "removes_results", "forges_ledger"}
+                "visits_early", "visits_others", "removes_socket", "writes_ledger", "removes_results", "forges_ledger",
+                "sets_sysctl", "mounts_groups"}
 FORFEITS = {
     "not-connected": {"never_connects"},
     "not-responding": {"silent_at_hello", "silent_after_hello", "half_hello", "half_length", "silent", "cut", "drips", "stops_itself",

@@ -14,13 +14,14 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from attacks.hostile_assaults import Assaults  # noqa: E402
 from attacks.hostile_faults import Faults, drive  # noqa: E402
+from attacks.hostile_kernel import Kernel  # noqa: E402
 from attacks.wire import delimited, frame, kind_of, number, text_of, tick_of  # noqa: E402
 
 AT = 40  # the tick of the attack: the game is on
 BROKE = 97  # the code with which it ends when the attack itself was wrong
 
 
-class Team(Faults, Assaults):
+class Team(Faults, Assaults, Kernel):
     def __init__(self, mode, token, folder):
         self.mode, self.token, self.folder = mode, token, folder
         self.socket = None

@@ -42,6 +42,7 @@ class Trespass {
     tell("writes beside its program", creates(own_program + "-was-here"));
     tell("opens shared memory", opens("/dev/shm/matchday-test-" + std::to_string(host_), O_RDWR));
     tell("has capabilities", has_capabilities());
+    tell("sets the kernel", opens("/proc/sys/kernel/core_pattern", O_WRONLY));
     tell("reaches TCP", reaches_tcp());
     tell("reaches an abstract socket", reaches_abstract());
     tell("uncovers the results", uncovers());

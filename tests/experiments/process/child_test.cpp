@@ -3,8 +3,10 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <linux/keyctl.h>
 #include <sched.h>
 #include <signal.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -54,6 +56,25 @@ TEST_F(ChildTest, ReportsTheExitCode) {
   const Exit exit = child.stop(0ms);
   EXPECT_FALSE(exit.clean());
   EXPECT_EQ(exit.describe(), "ended with code 3");
+}
+
+// What a program leaves in the keyring of a session, the next one would read.
+TEST_F(ChildTest, HasNoKeysOfOursIfWanted) {
+  if (::syscall(SYS_keyctl, KEYCTL_JOIN_SESSION_KEYRING, nullptr) < 0) GTEST_SKIP() << "no keys here";
+  const std::string name = "matchday-test-" + std::to_string(::getpid());
+  const long key = ::syscall(SYS_add_key, "user", name.c_str(), "x", 1UL, KEY_SPEC_SESSION_KEYRING);
+  ASSERT_GE(key, 0);
+  constexpr unsigned holders_only =
+      0x3F000000;  // keyctl(2): all rights for who has it in a keyring, else none
+  ASSERT_EQ(::syscall(SYS_keyctl, KEYCTL_SETPERM, key, holders_only), 0);
+  for (const bool own : {false, true}) {
+    Command command = shell("grep -c " + name + " /proc/keys");
+    command.own_keys = own;
+    Child child(command);
+    ASSERT_TRUE(child.wait(patience));
+    child.stop(0ms);
+    EXPECT_EQ(output(), own ? "0\n" : "1\n");
+  }
 }
 
 TEST_F(ChildTest, ReportsTheSignal) {

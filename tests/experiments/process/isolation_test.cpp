@@ -170,6 +170,65 @@ TEST_F(IsolationTest, VisibleHiddenAndWritableFolders) {
   EXPECT_TRUE(fs::exists(folder_ / "results/mine/a"));
 }
 
+TEST_F(IsolationTest, OfAHiddenFolderInAnEmptyOneNotEvenTheNameIsSeen) {
+  if (!possible()) GTEST_SKIP();
+  fs::create_directories(folder_ / "socket");
+  fs::create_directories(folder_ / "results" / "mine");
+  Cell cell;
+  cell.hidden = {folder_ / "socket", folder_ / "results"};
+  cell.writable = {folder_ / "results" / "mine"};
+  EXPECT_EQ(said(command({"/bin/sh", "-c", "cd; cd ..; ls"}, cell)), "home\nresults\n");
+  cell.visible = {folder_};
+  const std::string all = said(command(
+      {"/bin/sh", "-c", "ls -A \"$0\"/socket; touch \"$0\"/socket/a && echo bad", folder_.string()}, cell));
+  EXPECT_THAT(all, Not(HasSubstr("bad"))) << "seen, it is empty and cannot be written";
+}
+
+// Root needs no capability for most files in /proc/sys, and no namespace of its own changes that.
+TEST_F(IsolationTest, NothingOfTheKernelCanBeSet) {
+  if (!possible()) GTEST_SKIP();
+  // Opened only: nothing is changed where it can be done.
+  const std::string script =
+      "cd /proc; for place in [!0-9]*; do [ -L $place ] || find $place -type f -writable; done; "
+      "for file in sys/kernel/core_pattern sys/vm/overcommit_memory; do : >> $file && echo wrote $file; "
+      "done; echo end";
+  const auto all = [&](Isolation level) {
+    Command looked = command({"/bin/bash", "-c", script});
+    looked.cell->level = level;
+    looked.errors_apart = true;
+    return said(looked);
+  };
+  EXPECT_EQ(all(Isolation::Files), "end\n");
+  EXPECT_EQ(all(Isolation::Network), "end\n");
+}
+
+// Who is root in one can mount: control groups, with which a group is ended as a whole, or memory without end.
+TEST_F(IsolationTest, NoNamespaceCanBeMade) {
+  if (!possible()) GTEST_SKIP();
+  if (!isolation_limit().gap.empty()) GTEST_SKIP() << isolation_limit().gap;
+  const std::string script =
+      "for what in --user --mount --cgroup --pid --net; do unshare $what true && echo made $what; done; "
+      "cd; for type in cgroup2 tmpfs; do mkdir $type; mount -t $type none $type && echo mounted $type; "
+      "unshare --user --map-root-user --mount --cgroup mount -t $type none $type && echo mounted $type; "
+      "done; "
+      "echo end";
+  const std::string all = said(command({"/bin/sh", "-c", script}));
+  EXPECT_THAT(all, Not(HasSubstr("made")));
+  EXPECT_THAT(all, Not(HasSubstr("mounted")));
+  EXPECT_THAT(all, Not(HasSubstr("cannot create directory")));
+  EXPECT_THAT(all, HasSubstr("end\n"));
+}
+
+TEST_F(IsolationTest, SaysWhenNamespacesCannotBeForbidden) {
+  if (!possible()) GTEST_SKIP();
+  // As one before 0.8.0, in whose file that option is not found.
+  make_program(home_ / "bwrap", "exec \"" + find_program("bwrap").string() + "\" \"$@\"");
+  ::setenv("PATH", (home_.string() + ":/usr/bin:/bin").c_str(), 1);
+  EXPECT_EQ(isolation_limit().strongest, Isolation::Network);
+  EXPECT_THAT(isolation_limit().gap, HasSubstr("programs can make namespaces of their own"));
+  EXPECT_EQ(said(command({"/bin/echo", "it runs"})), "it runs\n");
+}
+
 TEST_F(IsolationTest, OnlyFoldersThatAreNotSharedCanBeHidden) {
   for (const char* name : {"a", "b", "b/inner", "common"}) fs::create_directories(folder_ / name);
   const fs::path a = folder_ / "a";
