@@ -37,6 +37,37 @@ std::string last_line(const std::string& text) {
 
 std::string trimmed(const std::string& text) { return text.substr(0, text.find_first_of("\r\n ")); }
 
+/// The commit that a name means to git; empty when it means none.
+std::string resolved(const std::string& repository, const std::string& name) {
+  const Said found =
+      git({"-C", repository, "rev-parse", "--verify", "--quiet", "--end-of-options", name + "^{commit}"});
+  const std::string commit = trimmed(last_line(found.text));  // git may warn before it
+  return found.well && is_commit(commit) ? commit : std::string{};
+}
+
+/// A branch and a tag may have one name, and git takes the tag without a word: then the name says nothing.
+void reject_ambiguous(const std::string& repository, const std::string& revision, const std::string& commit,
+                      const std::string& who) {
+  std::string meanings;
+  bool alike = true;
+  const auto consider = [&](const std::string& name) {
+    const std::string other = resolved(repository, name);
+    if (other.empty()) return false;
+    meanings += (meanings.empty() ? "" : ", ") + name + " is commit " + other.substr(0, 12);
+    alike = alike && other == commit;
+    return true;
+  };
+  consider("refs/" + revision);
+  // A branch of the origin of the same name is no other meaning: ours goes first, as with git.
+  if (!consider("refs/heads/" + revision)) consider("refs/remotes/origin/" + revision);
+  consider("refs/tags/" + revision);
+  if (alike) return;
+  complain(who, repository,
+           "the revision '" + revision + "' is ambiguous: " + meanings +
+               "; write the one that is meant with its full name, as refs/heads/" + revision +
+               " for the branch or refs/tags/" + revision + " for the tag");
+}
+
 }  // namespace
 
 bool is_commit(const std::string& text) {
@@ -72,10 +103,10 @@ std::string commit_of(const std::string& repository, const std::string& revision
   const Said inside = git({"-C", repository, "rev-parse", "--git-dir"});
   if (!inside.well) complain(who, repository, "is no git repository; git says: " + last_line(inside.text));
   for (const std::string& name : {revision, "origin/" + revision}) {
-    const Said found =
-        git({"-C", repository, "rev-parse", "--verify", "--quiet", "--end-of-options", name + "^{commit}"});
-    const std::string commit = trimmed(found.text);
-    if (found.well && is_commit(commit)) return commit;
+    const std::string commit = resolved(repository, name);
+    if (commit.empty()) continue;
+    if (commit != revision) reject_ambiguous(repository, revision, commit, who);
+    return commit;
   }
   const Said refs =
       git({"-C", repository, "for-each-ref", "--format=%(refname:short)", "refs/heads", "refs/tags"});

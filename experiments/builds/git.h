@@ -30,7 +30,8 @@ bool is_commit(const std::string& text);
 ///
 /// @param who  how the message calls the team
 /// @return     40 hexadecimal digits
-/// @throws std::invalid_argument naming team, repository and revision, with a revision that was perhaps meant
+/// @throws std::invalid_argument naming team, repository and revision, with a revision that was perhaps meant;
+///         and when branch and tag of that name are different commits
 std::string commit_of(const std::string& repository, const std::string& revision, const std::string& who);
 
 /// Whether git would have to fetch it: an address, not a folder.

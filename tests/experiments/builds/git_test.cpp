@@ -48,6 +48,31 @@ TEST(Git, NamesTeamRepositoryAndRevisionThatAreWrong) {
       << "not taken for a flag";
 }
 
+TEST(Git, RefusesANameThatIsABranchAndATagOfDifferentCommits) {
+  const Repository repository;
+  const std::string path = repository.path();
+  const std::string main = commit_of(path, "main", "a");
+  const std::string feature = commit_of(path, "feature", "a");
+  repository.shell("git tag same main && git branch same main");
+  EXPECT_EQ(commit_of(path, "same", "a"), main) << "no harm";
+  repository.shell("git tag main feature");
+  EXPECT_THAT(complaint(path, "main"),
+              HasSubstr("team a: repository '" + path +
+                        "': the revision 'main' is ambiguous: refs/heads/main is commit " +
+                        main.substr(0, 12) + ", refs/tags/main is commit " + feature.substr(0, 12) +
+                        "; write the one that is meant with its full name, as refs/heads/main"));
+  EXPECT_THAT(complaint(path, "main~0"), HasSubstr("is ambiguous"));
+  EXPECT_EQ(commit_of(path, "refs/heads/main", "a"), main);
+  EXPECT_EQ(commit_of(path, "heads/main", "a"), main);
+  EXPECT_EQ(commit_of(path, "refs/tags/main", "a"), feature);
+  EXPECT_EQ(commit_of(path, feature, "a"), feature);
+  const fs::path clone = repository.folder() / "clone";
+  repository.shell("git clone -q . '" + clone.string() + "'");
+  repository.shell("git -C '" + clone.string() + "' tag feature origin/main");
+  EXPECT_THAT(complaint(clone, "feature"), HasSubstr("refs/remotes/origin/feature is commit"))
+      << "a tag before a branch of the origin";
+}
+
 TEST(Git, ChecksOutACommitAlsoWhereAnOldCheckoutWasDeletedByHand) {
   const Repository repository;
   const fs::path folder = repository.folder() / "checkout";
