@@ -6,6 +6,7 @@
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/one_game.h"
+#include "experiments/output_file.h"
 #include "experiments/record/json_text.h"
 #include "experiments/runner/program_files.h"
 #include "experiments/schedule/command_line.h"
@@ -27,24 +28,6 @@ record::TeamConfig team(const TeamOptions& options, const std::string& flag) {
   team.robots = options.robots;
   team.speed_factor = options.speed_factor;
   return team;
-}
-
-// Said before a game is played, not after it.
-void check_output(const std::string& flag, const std::optional<std::filesystem::path>& file,
-                  const std::string& ending) {
-  if (!file) return;
-  const auto reject = [&](const std::string& problem) {
-    throw std::invalid_argument(flag + " " + file->string() + ": " + problem);
-  };
-  const std::string name = file->filename().string();
-  if (std::filesystem::is_directory(*file)) reject("is a folder; give the name of a file");
-  if (!name.ends_with(ending) && !name.ends_with(ending + ".gz")) {
-    reject("must end in " + ending + " or " + ending + ".gz");
-  }
-  const std::filesystem::path folder = file->has_parent_path() ? file->parent_path() : ".";
-  if (!std::filesystem::is_directory(folder)) {
-    reject("there is no folder " + folder.string() + "; make it first");
-  }
 }
 
 }  // namespace
@@ -73,7 +56,7 @@ int tell_one_game(const record::MatchConfig& config, bool json, bool explain,
   host::check(config);
   check_output("--log", config.log, ".log");
   check_output("--record", config.recording, ".replies");
-  if (!config.directory.empty()) make_folder(config.directory, "--team-logs");
+  make_team_logs(config.directory);
 
   const bool live = !config.continuation || config.continuation->tick;
   std::string sentence;

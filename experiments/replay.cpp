@@ -6,6 +6,7 @@
 #include "experiments/exit_code.h"
 #include "experiments/experiment.h"
 #include "experiments/one_game.h"
+#include "experiments/output_file.h"
 #include "experiments/runner/audit.h"
 #include "experiments/runner/program_files.h"
 #include "experiments/schedule/schedule.h"
@@ -70,6 +71,7 @@ int compare(const record::MatchRecord& again, const record::Attempt& attempt, bo
 
 int replay(const ReplayOptions& options) {
   check_temporary_folder(Games::Here);
+  check_output("--log", options.log, ".log");
   Experiment experiment = read_experiment(options.folder);
   if (!options.recorded) build_teams(experiment.design, options.folder);
   const schedule::Game game = schedule::find_game(experiment.design, options.game);
@@ -78,7 +80,7 @@ int replay(const ReplayOptions& options) {
   record::MatchConfig config = game.config;
   config.log = options.log;
   config.directory = options.team_logs;
-  if (!config.directory.empty()) std::filesystem::create_directories(config.directory);
+  make_team_logs(config.directory);
   host::Options settings;
   if (!options.recorded) {
     settings.isolation = chosen_isolation(experiment.design.isolation, "isolation =").level;

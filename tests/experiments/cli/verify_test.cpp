@@ -67,4 +67,33 @@ TEST_F(MatchdayProgram, VerifyGoesOnAfterDamagedRows) {
                     HasSubstr("NOT as written: 5 findings, see above; not verified: ")));
 }
 
+TEST_F(MatchdayProgram, WritesNoGameIntoAResultFolderNorOverAnotherKindOfFile) {
+  write_design("good.toml");
+  ASSERT_EQ(matchday("run good.toml --out F --workers 2" + fake()).code, 0);
+  std::filesystem::create_symlink("F/ledger.sqlite", folder_ / "link.log");
+  std::filesystem::create_directory_symlink("F", folder_ / "linked");
+  std::ofstream(folder_ / "notes.txt") << "mine\n";
+  std::filesystem::create_symlink("notes.txt", folder_ / "notes.log");
+  const std::string before = matchday("verify F --sample 0").text;
+  const std::string play = "play --blue true --yellow true ";
+  const std::string replay = "replay F one-0000-0 ";
+  for (const std::string& command : {play, replay}) {
+    for (const auto& [options, message] : std::vector<std::pair<std::string, std::string>>{
+             {"--log F/ledger.sqlite", "--log F/ledger.sqlite: must end in .log or .log.gz"},
+             {"--log link.log", "--log link.log: is a link to "},
+             {"--log notes.log", "notes.txt, which must end in .log or .log.gz"},
+             {"--log nowhere/x.log", "there is no folder nowhere; make it first"},
+             {"--log F/x.log", "F, where only its run writes; give another place"},
+             {"--log linked/x.log", "F, where only its run writes; give another place"},
+             {"--team-logs F/games/x", "F, where only its run writes; give another place"}}) {
+      const Said said = matchday(command + options);
+      EXPECT_EQ(said.code, 2) << command << options;
+      EXPECT_THAT(said.text, HasSubstr(message)) << command << options;
+    }
+  }
+  EXPECT_THAT(matchday(play + "--record F/x.replies").text, HasSubstr("where only its run writes"));
+  EXPECT_EQ(matchday("verify F --sample 0").text, before);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "F/games/x"));
+}
+
 }  // namespace
