@@ -73,10 +73,24 @@ constexpr std::array<Span, 23> acting{{{0x00, 0x1F},          // control
                                        {0x1D173, 0x1D17A},    // of musical notation
                                        {0xE0000, 0xE0FFF}}};  // tags
 
-bool acts(char32_t code) {
-  return std::any_of(acting.begin(), acting.end(),
+/// What does not act, and is not seen either: Default_Ignorable_Code_Point (Unicode 15.1) without what is in
+/// the list above and selectors of a variant, a blank pattern of Braille, and what is for private use.
+constexpr std::array<Span, 9> unseen{{{0x34F, 0x34F},         // joins marks
+                                      {0x115F, 0x1160},       // Hangul fillers
+                                      {0x17B4, 0x17B5},       // Khmer vowels
+                                      {0x180B, 0x180F},       // Mongolian selectors
+                                      {0x2800, 0x2800},       // Braille
+                                      {0x3164, 0x3164},       // Hangul filler
+                                      {0xE000, 0xF8FF},       // private use
+                                      {0xFFA0, 0xFFA0},       // Hangul filler of half width
+                                      {0xF0000, 0x10FFFF}}};  // private use
+
+template <std::size_t Count>
+bool is_in(const std::array<Span, Count>& spans, char32_t code) {
+  return std::any_of(spans.begin(), spans.end(),
                      [code](const Span& span) { return code >= span.first && code <= span.last; });
 }
+bool acts(char32_t code) { return is_in(acting, code); }
 
 std::string escape(char32_t code) {
   std::array<char, 16> text{};
@@ -121,6 +135,15 @@ std::string made_printable(std::string_view text, Kind kind) {
 std::string printable(std::string_view text) { return made_printable(text, Kind::Line); }
 std::string printable_lines(std::string_view text) { return made_printable(text, Kind::Lines); }
 std::string printable_json(std::string_view text) { return made_printable(text, Kind::Json); }
+
+bool is_visible(std::string_view text) {
+  while (!text.empty()) {
+    const Character character = first_of(text);
+    if (!character.valid || acts(character.code) || is_in(unseen, character.code)) return false;
+    text.remove_prefix(character.bytes);
+  }
+  return true;
+}
 
 std::size_t length(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {

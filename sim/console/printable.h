@@ -21,6 +21,12 @@ std::string printable_lines(std::string_view text);
 /// @param text  valid JSON
 std::string printable_json(std::string_view text);
 
+/// Whether the text can stand for something by what is seen of it: printable() changes nothing in it, and no
+/// letter of it is blank or for private use, where every font shows something else.
+///
+/// Selectors of a variant (U+FE00 to U+FE0F), with which emoji are written, may be in it.
+bool is_visible(std::string_view text);
+
 /// Characters of a printable text.
 std::size_t length(std::string_view text);
 

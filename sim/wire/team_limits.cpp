@@ -1,8 +1,8 @@
 #include "sim/wire/team_limits.h"
 
-#include <google/protobuf/stubs/common.h>
-
 #include <algorithm>
+
+#include "sim/console/printable.h"
 
 namespace wire {
 namespace {
@@ -11,25 +11,14 @@ std::string too_many(std::size_t size, const std::string& what, std::size_t limi
   return std::to_string(size) + what + ", " + std::to_string(limit) + " are allowed";
 }
 
-/// Text that can stand in a table: UTF-8 without control characters, those of C1 (U+0080 to U+009F) included.
-bool is_printable(const std::string& text) {
-  if (!google::protobuf::internal::IsStructurallyValidUTF8(text.data(), static_cast<int>(text.size()))) {
-    return false;
-  }
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (byte < 0x20 || byte == 0x7F) return false;
-    if (byte == 0xC2 && static_cast<unsigned char>(text[i + 1]) < 0xA0) return false;
-  }
-  return true;
-}
-
 std::string excess(const std::string& text, const std::string& what) {
   if (text.size() > max_team_text) {
     return "gives a " + what + " of " + too_many(text.size(), " bytes", max_team_text);
   }
-  if (!is_printable(text)) {
-    return "gives a " + what + " with control characters, or of bytes that are no UTF-8";
+  if (!console::is_visible(text)) {
+    return "gives a " + what +
+           " with characters that control something or are not seen, or of bytes that are "
+           "no UTF-8";
   }
   return "";
 }

@@ -69,6 +69,18 @@ TEST(Printable, HasNoFormatCharacter) {
   }
 }
 
+TEST(Printable, VisibleIsWhatIsSeenAndMeansTheSameEverywhere) {
+  for (const std::string text :
+       {"", "team-reference 2", "Zürich ±", "日本", "🤖", "a\xC2\xA0", "⚽\xEF\xB8\x8F"}) {
+    EXPECT_TRUE(is_visible(text)) << text;
+  }
+  for (const std::string text : {"a\nb", "a\tb", "\x1B[2J", "\xFF"}) EXPECT_FALSE(is_visible(text)) << text;
+  for (const char32_t code : {0x200B, 0xFEFF, 0xAD, 0x2028, 0xE0041, 0xFFF9,  // acts
+                              0x34F, 0x115F, 0x3164, 0xFFA0, 0x2800, 0xE000, 0xF8FF, 0xF0000, 0x10FFFD}) {
+    EXPECT_FALSE(is_visible("a" + utf8(code) + "b")) << std::hex << static_cast<unsigned>(code);
+  }
+}
+
 TEST(Printable, IsValidUtf8) {
   EXPECT_EQ(printable("a\xFF"), "a" + bad);
   EXPECT_EQ(printable("\xC3"), bad) << "cut off";

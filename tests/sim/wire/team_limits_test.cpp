@@ -49,9 +49,13 @@ TEST(TeamLimits, NameAndVersionAreShortAndPrintable) {
   hello.set_name(std::string(101, 'x'));
   EXPECT_EQ(excess(hello), "gives a name of 101 bytes, 100 are allowed");
   hello.set_name("x");
-  for (const std::string text : {"\x1b[2J", "\n", "\x7f", "\xc2\x9b", "\xff", "\xc2", "a\xc3"}) {
+  for (const std::string text :
+       {"\x1b[2J", "\n", "\x7f", "\xc2\x9b", "\xff", "\xc2", "a\xc3", "a\xe2\x80\x8b", "\xe3\x85\xa4"}) {
     hello.set_version(text);
-    EXPECT_EQ(excess(hello), "gives a version with control characters, or of bytes that are no UTF-8");
+    EXPECT_EQ(
+        excess(hello),
+        "gives a version with characters that control something or are not seen, or of bytes that are no "
+        "UTF-8");
   }
 }
 
