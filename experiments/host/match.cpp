@@ -395,6 +395,7 @@ void Match::check_limits(Patience::Clock::time_point now) {
   if (now - limits_checked_ < limits_interval) return;
   limits_checked_ = now;
   for (const world::Team team : world::both_teams) {
+    teams_[team]->check_threads(options_.thread_limit);
     teams_[team]->check_limits(options_.memory_limit, options_.output_limit);
   }
 }

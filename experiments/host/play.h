@@ -42,6 +42,7 @@ struct Options {
   // many times what any team of the league needs, and few enough for a machine with several games.
   std::int64_t memory_limit = std::int64_t{2} << 30;  ///< [bytes] resident, looked at every 0.1 s
   std::int64_t output_limit = std::int64_t{1} << 30;  ///< [bytes] printed
+  std::size_t thread_limit = 1000;                    ///< processes and their threads; looked at as memory
   std::size_t kept_output = std::size_t{4} << 20;     ///< [bytes] of what a team prints, in its log
 
   // What the teams see of the machine; all paths absolute.

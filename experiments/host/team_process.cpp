@@ -64,6 +64,9 @@ void TeamProcess::start(const Start& how) {
   }
   try {
     child_.emplace(command);
+  } catch (const process::MachineError& error) {
+    throw NobodysFault{std::string(world::name(team_)) + " (" + config_.name +
+                       ") was not started: " + error.what()};
   } catch (const process::StartError& error) {
     blame(Termination::NotStarted, std::string("did not start: ") + error.what());
   }
@@ -79,17 +82,21 @@ void TeamProcess::count_time(Patience::Clock::time_point now) {
   if (const std::string excess = budget_.excess(); !excess.empty()) blame(Termination::OverLimit, excess);
 }
 
+std::vector<pid_t> TeamProcess::processes() const {
+  std::vector<pid_t> all = process::family_of(child_->pid());
+  for (const pid_t stray : strays_) {
+    if (std::find(all.begin(), all.end(), stray) == all.end()) all.push_back(stray);
+  }
+  return all;
+}
+
 TeamTime TeamProcess::time(Budget::Clock::time_point now) {
-  std::vector<pid_t> processes = process::family_of(child_->pid());
   if (now - strays_looked_for_ > strays_interval_) {
     strays_looked_for_ = now;
     strays_interval_ = std::min<Patience::Clock::duration>(2 * strays_interval_, strays_interval);
     strays_ = process::started_with(family().mark);
   }
-  for (const pid_t stray : strays_) {
-    if (std::find(processes.begin(), processes.end(), stray) == processes.end()) processes.push_back(stray);
-  }
-  return clock_.read(now, process::activity_of(processes));
+  return clock_.read(now, process::activity_of(processes()));
 }
 
 void TeamProcess::begin_budget(Budget::Allowed allowed, Budget::Clock::time_point now) {
@@ -238,6 +245,14 @@ const wire::proto::TeamMessage* TeamProcess::message() {
 
 void TeamProcess::drain() {
   if (child_) child_->drain();
+}
+
+void TeamProcess::check_threads(std::size_t most) {
+  if (!child_ || fault_ || most == 0) return;
+  const std::size_t count = process::thread_count(processes());
+  if (count <= most) return;
+  blame(Termination::OverLimit,
+        "has " + std::to_string(count) + " processes and threads, " + std::to_string(most) + " are allowed");
 }
 
 void TeamProcess::check_limits(std::int64_t memory, std::int64_t output) {

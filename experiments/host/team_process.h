@@ -115,6 +115,9 @@ class TeamProcess {
   /// Empties the pipe of its standard output.
   void drain();
 
+  /// OverLimit when it has more processes and threads than that; 0: any number.
+  void check_threads(std::size_t most);
+
   /// OverLimit when its processes hold more memory, or have printed and written more,
   /// than that [bytes]; 0: any amount.
   void check_limits(std::int64_t memory, std::int64_t output);
@@ -132,7 +135,8 @@ class TeamProcess {
   Family family() const;
   void admit(int socket);
   void check_logs(std::int64_t output);
-  void note_gone();  // it closed the channel or ended: why?
+  std::vector<pid_t> processes() const;  // its family, and those known to have left it
+  void note_gone();                      // it closed the channel or ended: why?
   bool waited_enough(record::Termination termination, const std::string& what);  // blames it when so
   TeamTime time(Budget::Clock::time_point now);
 

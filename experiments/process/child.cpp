@@ -29,6 +29,8 @@ using Clock = std::chrono::steady_clock;
 
 // KILL takes microseconds; a process that waits for a dead network disk must not hold us up (ours).
 constexpr std::chrono::seconds cell_patience{2};
+// For the machine to have room for a process again. Ours: who takes it all is ended within a second.
+constexpr std::chrono::seconds room_patience{2};
 constexpr int pipe_bytes = 1 << 20;                        // the most an ordinary user may ask for (pipe(7))
 constexpr std::size_t drain_bytes = std::size_t{1} << 20;  // one pipe full, so that a flood cannot hold us
 
@@ -65,7 +67,7 @@ struct Pipe {
 
   Pipe() {
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw StartError("cannot make a pipe: " + error_text(errno));
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw MachineError("cannot make a pipe: " + error_text(errno));
     read_end = ends[0];
     write_end = ends[1];
   }
@@ -170,6 +172,15 @@ struct Prepared {
   give_up(prepared, Step::Exec);
 }
 
+pid_t forked() {
+  const Clock::time_point until = Clock::now() + room_patience;
+  while (true) {
+    const pid_t child = ::fork();
+    if (child >= 0 || errno != EAGAIN || Clock::now() > until) return child;
+    std::this_thread::sleep_for(std::chrono::milliseconds{10});
+  }
+}
+
 void add(const rusage& used, Exit& exit) {
   const auto seconds = [](const timeval& span) {
     return static_cast<double>(span.tv_sec) + static_cast<double>(span.tv_usec) * 1e-6;
@@ -235,11 +246,11 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
   prepared.errors = command.errors_apart ? nowhere.file : output.write_end;
   prepared.report = report.write_end;
 
-  pid_ = ::fork();
+  pid_ = forked();
   if (pid_ == 0) become(prepared);
   const int fork_error = errno;
   if (pid_ < 0)
-    throw StartError("program '" + command.arguments.front() + "': cannot fork: " + error_text(fork_error));
+    throw MachineError("program '" + command.arguments.front() + "': cannot fork: " + error_text(fork_error));
   ::setpgid(pid_, pid_);  // whoever comes first; fails harmlessly after the exec
 
   Pipe::close_end(output.write_end);

@@ -68,6 +68,7 @@ struct Stat {
   double used = 0;      ///< [s] of processor time
   double children = 0;  ///< [s] the same of children that were waited for
   int nice = 0;
+  int threads = 0;
   int policy = 0;  ///< SCHED_OTHER, ...
 };
 std::optional<Stat> read_stat(const std::string& folder) {
@@ -83,8 +84,8 @@ std::optional<Stat> read_stat(const std::string& folder) {
   for (int field = 4; field < 14; ++field) fields >> skipped;
   std::array<double, 4> ticks{};  // user, system, and both of children
   for (double& one : ticks) fields >> one;
-  fields >> skipped >> stat.nice;
-  for (int field = 20; field < 41; ++field) fields >> skipped;
+  fields >> skipped >> stat.nice >> stat.threads;
+  for (int field = 21; field < 41; ++field) fields >> skipped;
   fields >> stat.policy;
   if (!fields) return std::nullopt;
   const auto a_second = static_cast<double>(::sysconf(_SC_CLK_TCK));
@@ -233,6 +234,15 @@ std::int64_t resident_memory(pid_t process) {
 std::int64_t family_memory(pid_t process) {
   std::int64_t sum = 0;
   for (const pid_t member : family_of(process)) sum += resident_memory(member);
+  return sum;
+}
+
+std::size_t thread_count(std::span<const pid_t> processes) {
+  std::size_t sum = 0;
+  for (const pid_t process : processes) {
+    const std::optional<Stat> stat = read_stat(folder_of(process));
+    if (stat) sum += static_cast<std::size_t>(std::max(stat->threads, 1));
+  }
   return sum;
 }
 

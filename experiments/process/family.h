@@ -33,6 +33,10 @@ std::int64_t resident_memory(pid_t process);
 /// The same of a process and all its descendants together; shared pages count in each of them.
 std::int64_t family_memory(pid_t process);
 
+/// Processes and their threads, as the kernel's limits count them: one that has ended and is not yet waited for
+/// is one.
+std::size_t thread_count(std::span<const pid_t> processes);
+
 /// A process and its descendants, itself first.
 std::vector<pid_t> family_of(pid_t process);
 

@@ -12,6 +12,12 @@ class StartError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The same, but nothing is wrong with the program: the machine has no room for another process.
+class MachineError : public StartError {
+ public:
+  using StartError::StartError;
+};
+
 /// The absolute path of a program as a user names it.
 ///
 /// A name with a slash is a path, seen from `directory` (empty: the present one). A bare name is looked up

@@ -68,6 +68,7 @@ constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK] [--milli
   cut           sends half of its answer to TICK, and no more
   memory        takes 64 MiB more every tick from TICK on
   burst         takes memory without end at TICK and does not answer
+  threads       starts 1200 threads at TICK and does not answer
   connect-twice connects a second time to its own socket at TICK
   intrude       connects to the other team's socket before its own, where it then plays
   intrude-late  connects to the other team's socket at TICK
@@ -371,6 +372,10 @@ void misbehave(const Arguments& arguments, const Connection& host, wire::proto::
   if (mode == "memory") eat();
   if (mode == "burst") {
     while (true) eat();
+  }
+  if (mode == "threads") {
+    for (int i = 0; i < 1200; ++i) std::thread(hang).detach();
+    hang();
   }
   if (mode == "wrong-tick") message.mutable_reply()->set_tick(message.reply().tick() - 1);
   if (mode == "future-tick") message.mutable_reply()->set_tick(std::numeric_limits<std::int64_t>::max());

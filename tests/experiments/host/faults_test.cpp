@@ -285,6 +285,13 @@ TEST_F(Faults, EatsMemory) {
   }
 }
 
+// Of 1200; a machine has room for some ten thousand, and host and runner need it, too.
+TEST_F(Faults, StartsThreadsWithoutEnd) {
+  const auto record = play_against("threads");
+  expect_blue(record, Termination::OverLimit, "has ");
+  EXPECT_THAT(record.reason, HasSubstr(" processes and threads, 1000 are allowed"));
+}
+
 TEST_F(Faults, WritesGigabytes) {
   options_.output_limit = std::int64_t{256} << 20;  // of the gigabytes it would print
   auto config = fakes::short_game("good", "gigabytes");

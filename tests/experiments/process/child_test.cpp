@@ -6,13 +6,16 @@
 #include <linux/keyctl.h>
 #include <sched.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "tests/fakes/process_group.h"
 
@@ -56,6 +59,50 @@ TEST_F(ChildTest, ReportsTheExitCode) {
   const Exit exit = child.stop(0ms);
   EXPECT_FALSE(exit.clean());
   EXPECT_EQ(exit.describe(), "ended with code 3");
+}
+
+/// How a start goes while the machine has no room for a process, for so long; in a process of its own, since
+/// limits stay.
+std::string start_without_room(std::chrono::milliseconds time) {
+  const pid_t tester = ::fork();
+  if (tester == 0) {
+    // The limit does not hold for root; the number is that of nobody.
+    if (::geteuid() == 0 && ::setresuid(65534, 65534, 65534) != 0) ::_exit(3);
+    rlimit room{};
+    ::getrlimit(RLIMIT_NPROC, &room);
+    std::atomic<bool> none = false;
+    std::thread([&] {
+      none.wait(false);
+      std::this_thread::sleep_for(time);
+      ::setrlimit(RLIMIT_NPROC, &room);
+    }).detach();
+    const rlimit no_room{0, room.rlim_max};
+    ::setrlimit(RLIMIT_NPROC, &no_room);
+    none = true;
+    none.notify_all();
+    Command command;
+    command.arguments = {"/bin/true"};
+    int result = 3;
+    try {
+      Child child(command);
+      result = child.wait(patience) ? 0 : 3;
+    } catch (const MachineError&) {
+      result = 1;
+    } catch (const StartError&) {
+      result = 2;
+    }
+    ::_exit(result);
+  }
+  int status = 0;
+  ::waitpid(tester, &status, 0);
+  constexpr std::array<const char*, 4> words = {"started", "the machine", "the program", "something else"};
+  return WIFEXITED(status) ? words.at(static_cast<std::size_t>(WEXITSTATUS(status))) : "crashed";
+}
+
+// A program with threads without end is ended soon, but may take the room of others for a moment.
+TEST(ChildWithoutRoom, IsStartedAsSoonAsThereIs) {
+  EXPECT_EQ(start_without_room(200ms), "started");
+  EXPECT_EQ(start_without_room(1h), "the machine") << "it is no fault of the program";
 }
 
 // What a program leaves in the keyring of a session, the next one would read.

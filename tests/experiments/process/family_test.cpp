@@ -5,10 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <functional>
 #include <thread>
+#include <vector>
 
 #include "experiments/process/child.h"
 
@@ -179,6 +181,22 @@ TEST_F(Family, AddsUpTheMemoryOfAllDescendants) {
   EXPECT_TRUE(soon([&] { return family_memory(child.pid()) > std::int64_t{32} << 20; }));
   EXPECT_LT(resident_memory(child.pid()), 16 << 20);
   child.stop(0ms);
+}
+
+TEST_F(Family, CountsProcessesAndThreads) {
+  // Three sleeps, and a process that has ended but is not waited for.
+  Child child = shell("sleep 1000 & sleep 1000 & (exit) & exec sleep 1000", mark_);
+  EXPECT_TRUE(soon([&] { return thread_count(family_of(child.pid())) == 4; }));
+  child.stop(0ms);
+  std::atomic<bool> over = false;
+  const std::vector<pid_t> ours = {::getpid()};
+  const std::size_t before = thread_count(ours);
+  std::thread other([&over] { over.wait(false); });
+  EXPECT_EQ(thread_count(ours), before + 1);
+  over = true;
+  over.notify_all();
+  other.join();
+  EXPECT_EQ(thread_count(std::vector<pid_t>{-1}), 0U);
 }
 
 // In a process of its own: who adopts orphans adopts them from then on.
