@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
 #include "experiments/commands.h"
@@ -26,6 +24,7 @@
 #include "experiments/schedule/command_line.h"
 #include "experiments/schedule/schedule.h"
 #include "experiments/start.h"
+#include "sim/files/regular_file.h"
 #include "sim/wire/match.h"
 
 namespace commands {
@@ -34,6 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* recording_ending = ".judged";
+constexpr std::size_t longest_settings = std::size_t{64} << 20;  // [bytes] ours: jobs and logs have some KiB
 
 std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
 
@@ -49,10 +49,7 @@ std::vector<int> processors() {
 }
 
 std::string read(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  return fs::exists(file) ? files::text_of(file, longest_settings) : "";
 }
 
 /// The games of one design that are judged into one folder, each into a file of its own.

@@ -15,6 +15,7 @@
 #include "experiments/schedule/design.h"
 #include "sim/console/printable.h"
 #include "sim/console/standard_output.h"
+#include "sim/wire/output_error.h"
 
 namespace {
 
@@ -25,8 +26,8 @@ Exit codes: 0 done, of a sequential test: A is better; 1 replay: the game went d
 teams cannot play, says the short game before the first one; 4 too many void games, or play: the game ended by a
 fault, or verify: not everything could be verified; 5 trouble with a result folder, or verify: it is not as written;
 10 sequential test: A is not better; 11 undecided when all games were played; 70 a mistake in matchday itself; 74
-standard output cannot be written; 129, 130 and 143 interrupted by HUP, Ctrl-C and TERM (run: the same command
-continues); 141 whoever read standard output has gone.)";
+standard output, or the file of --log or --record, cannot be written; 129, 130 and 143 interrupted by HUP, Ctrl-C and
+TERM (run: the same command continues); 141 whoever read standard output has gone.)";
 constexpr const char* short_footer = "\nExit codes: matchday --help tells them.";
 constexpr const char* design_footer = R"(
 A team loses a game by forfeit when it takes more of its own time, computing or asleep, than the design's [limits]
@@ -333,7 +334,7 @@ void check_flags(const CLI::App& app, int argc, char** argv) {
   }
 }
 
-int complain(const std::string& sentence, ExitCode code) {
+int complain(const std::string& sentence, int code) {
   std::cerr << "matchday: " << console::printable(sentence) << std::endl;
   return code;
 }
@@ -421,6 +422,8 @@ int guarded(int argc, char** argv) {
     return ExitCode::signal_base + interrupted.signal;
   } catch (const record::StorageError& error) {
     return complain(error.what(), ExitCode::storage);
+  } catch (const wire::OutputError& error) {
+    return complain(error.what(), console::cannot_print);
   } catch (const std::invalid_argument& error) {
     return complain(error.what(), ExitCode::bad_input);
   } catch (const std::system_error& error) {

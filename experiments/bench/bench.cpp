@@ -4,8 +4,6 @@
 
 #include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -16,10 +14,14 @@
 #include "experiments/host/play.h"
 #include "experiments/host/private_directory.h"
 #include "experiments/host/processor.h"
+#include "sim/files/regular_file.h"
 #include "sim/physics/reference_scene.h"
 
 namespace bench {
 namespace {
+
+constexpr std::size_t longest_file = std::size_t{64}
+                                     << 20;  // [bytes] ours: figures have some KiB, logs 4 MiB
 
 double processor_seconds() {
   timespec now{};
@@ -48,8 +50,7 @@ double switches() {
 // Mean from the processor time of the whole process, median and 99 % from what the team says of its ticks.
 Row row_of_team(const std::string& part, double mean, const std::filesystem::path& log) {
   Row row{part, mean};
-  std::ifstream in(log, std::ios::binary);
-  if (const auto times = team_times({std::istreambuf_iterator<char>(in), {}})) {
+  if (const auto times = team_times(files::text_of(log, longest_file))) {
     row.median = times->median;
     row.ninety_nine = times->ninety_nine;
   }
@@ -57,9 +58,11 @@ Row row_of_team(const std::string& part, double mean, const std::filesystem::pat
 }
 
 std::string read(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw std::invalid_argument(file + ": the file to compare with cannot be read");
-  return {std::istreambuf_iterator<char>(in), {}};
+  try {
+    return files::text_of(file, longest_file);
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument("--compare " + std::string(error.what()));
+  }
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "experiments/process/child.h"
 #include "experiments/process/family.h"
 #include "experiments/process/whole_file.h"
+#include "sim/files/regular_file.h"
 
 namespace builds {
 namespace {
@@ -28,6 +29,7 @@ constexpr std::chrono::milliseconds grace{2'000};         // between TERM and KI
 constexpr std::chrono::milliseconds look{100};            // for a signal: at once, for people
 constexpr std::size_t tail_lines = 8;                     // of a log in a message
 constexpr std::size_t tail_bytes = 1'000;
+constexpr std::size_t longest_commits = std::size_t{64} << 20;  // [bytes] ours: a line each
 
 std::string digits_of(const std::string& text) {
   std::array<char, 17> digits{};
@@ -119,7 +121,8 @@ using Revision = std::pair<std::string, std::string>;  // repository and revisio
 /// The file `commits`: a line each of commit, revision and repository, with tabs between.
 std::map<Revision, std::string> read_commits(const fs::path& folder) {
   std::map<Revision, std::string> commits;
-  std::ifstream stream(folder / "commits");
+  if (!fs::exists(folder / "commits")) return commits;
+  std::istringstream stream(files::text_of(folder / "commits", longest_commits));
   std::string commit;
   std::string revision;
   std::string repository;

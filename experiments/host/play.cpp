@@ -6,6 +6,7 @@
 
 #include "experiments/host/match.h"
 #include "experiments/host/processor.h"
+#include "sim/wire/output_error.h"
 
 namespace host {
 namespace {
@@ -36,6 +37,8 @@ record::MatchRecord play(const record::MatchConfig& config, const Options& optio
       note(world::name(team), match.usage(team), record);
       record.costs[std::string("own_seconds_") + world::name(team)] = match.own_seconds(team);
     }
+  } catch (const wire::OutputError&) {
+    throw;
   } catch (const std::exception& error) {
     record = {};
     record.termination = record::Termination::HarnessFault;

@@ -80,6 +80,7 @@ struct Options {
 ///
 /// @throws std::invalid_argument when the configuration names an unknown rule set or realism,
 ///         or has impossible robots; nothing has been started then
+/// @throws wire::OutputError when log or recording cannot be made or written; it is removed then
 record::MatchRecord play(const record::MatchConfig& config, const Options& options = {});
 
 /// @throws std::invalid_argument naming preset, key or value

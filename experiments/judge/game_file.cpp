@@ -2,17 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 #include "experiments/judge/json_values.h"
 #include "experiments/process/whole_file.h"
+#include "sim/files/regular_file.h"
 
 namespace judge {
 namespace {
 
 constexpr std::size_t longest_shown = 60;  // of a value in a message
+constexpr std::size_t longest_file = std::size_t{256}
+                                     << 20;  // [bytes] ours: a game of many offences has some MiB
 constexpr std::array all_results = {Result::Found, Result::Missed, Result::Extra};
 
 template <std::size_t size>
@@ -108,13 +110,6 @@ Json json_of(const TouchCount& count) {
           {"again", count.again}};
 }
 
-std::string whole_file(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 std::string to_json(const GameResult& result) {
@@ -194,7 +189,7 @@ void write_game(const std::filesystem::path& file, const GameResult& result) {
 
 std::optional<GameResult> read_game(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return std::nullopt;
-  return game_from_json(whole_file(file), file.string());
+  return game_from_json(files::text_of(file, longest_file), file.string());
 }
 
 std::string to_json(const Job& job) {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "experiments/judge/state_text.h"
+#include "sim/files/regular_file.h"
 
 namespace judge {
 namespace {
@@ -160,6 +161,9 @@ void RecordingWriter::close(std::int64_t ticks, const std::string& hash) {
 }
 
 RecordingReader::RecordingReader(std::filesystem::path file) : file_(std::move(file)), buffer_(buffer_size) {
+  if (const std::string problem = files::not_regular(file_); !problem.empty()) {
+    throw std::invalid_argument(file_.string() + ": " + problem);
+  }
   stream_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   stream_.open(file_, std::ios::binary);
   std::string begin(magic.size(), '\0');

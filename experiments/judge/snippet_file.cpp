@@ -1,12 +1,15 @@
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 #include "experiments/judge/json_values.h"
 #include "experiments/judge/snippet.h"
 #include "experiments/judge/state_text.h"
+#include "sim/files/regular_file.h"
 
 namespace judge {
+
+constexpr std::size_t longest = std::size_t{64}
+                                << 20;  // [bytes] ours: a passage of some seconds has some KiB
 
 std::string to_json(const Snippet& snippet) {
   // One line per event and state, so that the file can be read and trimmed by hand.
@@ -39,11 +42,15 @@ std::string to_json(const Snippet& snippet) {
 
 Snippet read_snippet(const std::filesystem::path& file) {
   const std::filesystem::path path = expectation_of(file);
-  std::ifstream stream(path);
-  if (!stream) throw std::invalid_argument(path.string() + ": cannot be opened");
+  std::string text;
+  try {
+    text = files::text_of(path, longest);
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
+  }
   Snippet snippet;
   try {
-    const Json json = Json::parse(stream);
+    const Json json = Json::parse(text);
     const auto event_in = [](const Json& its) {
       const auto event = event_named(its.get<std::string>());
       if (!event) throw std::invalid_argument("no event is called " + its.dump().substr(0, 60));

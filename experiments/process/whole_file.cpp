@@ -13,7 +13,7 @@ namespace process {
 void write_whole(const std::filesystem::path& file, std::string_view text) {
   std::filesystem::path beside = file;
   beside += "." + std::to_string(::getpid()) + ".part";  // two may write at once
-  const int descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int descriptor = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NONBLOCK | O_CLOEXEC, 0666);
   int error = descriptor < 0 ? errno : 0;
   while (error == 0 && !text.empty()) {
     const ssize_t count = ::write(descriptor, text.data(), text.size());

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "experiments/record/ledger_tables.h"
+#include "sim/files/regular_file.h"
 
 namespace record {
 namespace {
@@ -58,6 +59,16 @@ bool cannot_be_written_beside(const SQLite::Exception& error) {
 
 using Connection = std::unique_ptr<Ledger::Connection>;
 
+/// SQLite opens the file and what lies beside it by their names.
+void require_files(const fs::path& file) {
+  for (const char* ending : {"", "-wal", "-shm", "-journal"}) {
+    const fs::path one = beside(file, ending);
+    if (const std::string problem = files::not_regular(one); !problem.empty()) {
+      throw StorageError(one.string() + ": " + problem);
+    }
+  }
+}
+
 }  // namespace
 
 PrivateCopy::PrivateCopy(const fs::path& file) {
@@ -89,6 +100,7 @@ PrivateCopy::~PrivateCopy() {
 }
 
 Connection connect_for_writing(const fs::path& file) {
+  require_files(file);
   Connection connection(new Ledger::Connection{
       file.string(), nullptr,
       SQLite::Database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, writer_patience_ms)});
@@ -97,6 +109,7 @@ Connection connect_for_writing(const fs::path& file) {
 }
 
 Connection connect_for_reading(const fs::path& file) {
+  require_files(file);
   try {
     // Not OPEN_READONLY: what a killed writer left has to be brought to an end first.
     Connection connection(new Ledger::Connection{

@@ -6,18 +6,20 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <fstream>
-#include <sstream>
+#include <stdexcept>
 
 #include "experiments/process/whole_file.h"
+#include "experiments/record/ledger.h"
 #include "experiments/report/html_style.h"
 #include "experiments/report/markup.h"
 #include "experiments/report/wording.h"
+#include "sim/files/regular_file.h"
 
 namespace report {
 namespace {
 
 constexpr int refresh_seconds = 20;
+constexpr std::size_t longest_manifest = std::size_t{64} << 20;  // [bytes] as in runner/manifest_reader
 
 std::string cell(const std::string& text, const char* kind = "") {
   return std::string("<td") + (*kind != '\0' ? std::string(" class=\"") + kind + "\"" : "") + ">" +
@@ -339,10 +341,12 @@ std::filesystem::path write_html(const std::filesystem::path& folder, const Summ
     page.figures.clear();
     page.no_figures = error.what();
   }
-  if (std::ifstream manifest(folder / "manifest.json"); manifest) {
-    std::ostringstream text;
-    text << manifest.rdbuf();
-    page.manifest = text.str();
+  if (std::filesystem::exists(folder / "manifest.json")) {
+    try {
+      page.manifest = files::text_of(folder / "manifest.json", longest_manifest);
+    } catch (const std::runtime_error& error) {
+      throw record::StorageError(error.what());
+    }
   }
 
   const std::filesystem::path file = folder / "report.html";

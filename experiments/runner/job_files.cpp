@@ -7,22 +7,18 @@
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <system_error>
+
+#include "sim/files/regular_file.h"
 
 namespace runner {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string read_text(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error(file.string() + ": cannot be read");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
+constexpr std::size_t longest = std::size_t{256}
+                                << 20;  // [bytes] ours: the record of a long game has some MiB
 
 void write_text(const fs::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary | std::ios::trunc);
@@ -52,6 +48,7 @@ void ProgressWriter::write(double seconds) {
 }
 
 std::optional<double> read_progress(const fs::path& file) {
+  if (!files::not_regular(file).empty()) return std::nullopt;
   std::ifstream stream(file);
   double seconds = 0;
   if (stream >> seconds) return seconds;
@@ -64,7 +61,7 @@ void write_job(const fs::path& file, const record::MatchConfig& config) {
 
 void serve_job(const fs::path& job, const fs::path& result,
                const std::function<record::MatchRecord(const record::MatchConfig&)>& play) {
-  const record::MatchRecord record = play(record::match_config_from_json(read_text(job)));
+  const record::MatchRecord record = play(record::match_config_from_json(files::text_of(job, longest)));
   fs::path unfinished = result;
   unfinished += ".part";
   write_text(unfinished, record::to_json(record));
@@ -72,7 +69,7 @@ void serve_job(const fs::path& job, const fs::path& result,
 }
 
 record::MatchRecord read_result(const fs::path& file) {
-  return record::match_record_from_json(read_text(file));
+  return record::match_record_from_json(files::text_of(file, longest));
 }
 
 }  // namespace runner

@@ -1,22 +1,26 @@
 #include "experiments/runner/ledger_opening.h"
 
-#include <fstream>
-#include <iterator>
 #include <ostream>
+#include <stdexcept>
 
 #include "experiments/record/checksum.h"
+#include "sim/files/regular_file.h"
 
 namespace runner {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::milliseconds look{200};  // between two tries, which wait a little themselves
+constexpr std::size_t longest = std::size_t{64} << 20;  // [bytes] of a manifest; ours
+constexpr std::chrono::milliseconds look{200};          // between two tries, which wait a little themselves
 
 bool names(const fs::path& file, const std::string& hash) {
-  std::ifstream stream(file);
-  const std::string text((std::istreambuf_iterator<char>(stream)), {});
-  return text.find(hash) != std::string::npos;
+  if (!fs::exists(file)) return false;
+  try {
+    return files::text_of(file, longest).find(hash) != std::string::npos;
+  } catch (const std::runtime_error& error) {
+    throw record::StorageError(error.what());
+  }
 }
 
 /// The level that a manifest names, if it can be read: `matchday verify` tells of one that cannot.

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "experiments/record/ledger.h"
 #include "experiments/runner/manifest.h"
+#include "sim/files/regular_file.h"
 
 namespace runner {
 namespace {
@@ -31,11 +31,12 @@ std::string level_of(const std::string& isolation) {
 }
 
 Origin read_manifest(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(longest + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.empty() || text.size() > longest) throw record::StorageError(file.string() + ": cannot be read");
+  std::string text;
+  try {
+    text = files::text_of(file, longest);
+  } catch (const std::runtime_error& error) {
+    throw record::StorageError(error.what());
+  }
   Origin origin;
   std::string protocol;
   try {

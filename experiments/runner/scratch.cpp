@@ -9,7 +9,9 @@
 #include <system_error>
 
 #include "experiments/process/tree.h"
+#include "experiments/process/whole_file.h"
 #include "experiments/record/ledger.h"
+#include "sim/files/regular_file.h"
 
 namespace runner {
 namespace {
@@ -30,8 +32,9 @@ bool is_ours(const fs::path& path) {
 
 Scratch::Scratch(fs::path note) : note_(std::move(note)) {
   std::string before;
-  if (std::ifstream stream(note_); std::getline(stream, before) && is_ours(before)) {
-    process::remove_tree(before);
+  if (files::not_regular(note_).empty()) {
+    std::ifstream stream(note_);
+    if (std::getline(stream, before) && is_ours(before)) process::remove_tree(before);
   }
   std::string name = fs::temp_directory_path().string() + "/";
   name += prefix;
@@ -41,7 +44,10 @@ Scratch::Scratch(fs::path note) : note_(std::move(note)) {
                                " for temporary files: " + std::generic_category().message(errno));
   }
   path_ = name;
-  std::ofstream(note_, std::ios::trunc) << path_.string() << '\n';
+  try {
+    process::write_whole(note_, path_.string() + "\n");
+  } catch (const std::system_error&) {  // then a killed run leaves its folder, no more
+  }
 }
 
 Scratch::~Scratch() {

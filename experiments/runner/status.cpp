@@ -77,10 +77,11 @@ std::string to_json(const Status& status) {
 void write_status(const std::filesystem::path& file, const Status& status) {
   std::filesystem::path unfinished = file;
   unfinished += ".part";
+  std::error_code ignored;
+  std::filesystem::remove(unfinished, ignored);  // of a killed run, or a named pipe, which would block us
   std::ofstream stream(unfinished, std::ios::trunc);
   stream << to_json(status) << '\n';
   stream.close();
-  std::error_code ignored;
   if (stream) std::filesystem::rename(unfinished, file, ignored);
 }
 

@@ -9,6 +9,7 @@
 #include "experiments/process/family.h"
 #include "experiments/process/tree.h"
 #include "experiments/runner/job_files.h"
+#include "sim/files/regular_file.h"
 
 namespace runner {
 namespace {
@@ -58,6 +59,7 @@ process::Child start(std::vector<std::string> command, const WorkerLimits& limit
 
 /// The last line of the worker's log: usually what it died of.
 std::string last_words(const fs::path& folder) {
+  if (!files::not_regular(log_file(folder)).empty()) return "";
   std::ifstream stream(log_file(folder));
   std::string last;
   for (std::string line; std::getline(stream, line);) {

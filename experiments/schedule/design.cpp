@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "experiments/schedule/run_reader.h"
 #include "experiments/schedule/team_reader.h"
 #include "experiments/schedule/toml_reader.h"
+#include "sim/files/regular_file.h"
 #include "sim/world/rules/rule_set.h"
 
 namespace schedule {
@@ -250,19 +250,11 @@ void read_isolation(TomlTable& root, Design& design) {
 }
 
 std::string text_of(const std::filesystem::path& file, const std::string& wanted) {
-  std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw std::invalid_argument(file.string() + ": cannot be read; give the path of " + wanted);
+  try {
+    return files::text_of(file, largest_file);
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(std::string(error.what()) + "; give the path of " + wanted);
   }
-  std::string text(largest_file + 1, '\0');  // of a file without end, as /dev/zero, too
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) throw std::invalid_argument(file.string() + ": cannot be read to its end");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > largest_file) {
-    throw std::invalid_argument(file.string() + ": has more than " + std::to_string(largest_file >> 20) +
-                                " MiB; give the path of " + wanted);
-  }
-  return text;
 }
 
 }  // namespace
