@@ -26,8 +26,8 @@ void replace_team(const std::string& command, const std::string& flag, record::T
 
 int continue_game(const ContinueOptions& options) {
   record::MatchConfig config = host::recorded_config(options.recording);
-  // all of it: damage is told before the game
-  const std::int64_t ticks = host::recorded_ticks(options.recording);
+  // All of it: damage is told before the game.
+  const std::int64_t ticks = host::recorded_length(options.recording).ticks;
   config.continuation = record::Continuation{options.recording, std::nullopt};
   if (options.from) {
     config.continuation->tick = std::llround(*options.from * world::ticks_per_second);

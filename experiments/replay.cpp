@@ -5,6 +5,7 @@
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
 #include "experiments/experiment.h"
+#include "experiments/host/recorded_teams.h"
 #include "experiments/one_game.h"
 #include "experiments/output_file.h"
 #include "experiments/runner/audit.h"
@@ -38,6 +39,35 @@ std::filesystem::path replies_of(const std::filesystem::path& folder, const reco
                                 "played again from its seed");
   }
   return *replies;
+}
+
+/// What decides how the game goes.
+record::MatchConfig game_in(record::MatchConfig config) {
+  config.continuation.reset();
+  config.recording.reset();
+  config.log.reset();
+  config.directory.clear();
+  for (const world::Team team : world::both_teams) config.teams[team].directory.clear();
+  return config;
+}
+
+/// All of a recording is read before any of it is played.
+///
+/// @throws std::runtime_error naming file and place when it is damaged
+/// @throws std::invalid_argument naming the file when it is cut off or of another game
+void check_recording(const std::filesystem::path& file, const record::MatchConfig& config,
+                     const record::Attempt& attempt) {
+  const host::RecordedLength length = host::recorded_length(file);
+  if (game_in(host::recorded_config(file)) != game_in(config)) {
+    throw std::invalid_argument(file.string() + ": is the recording of another game than " +
+                                record::game_id(attempt.key) +
+                                ": seed, teams, sides, rules or realism are not the same");
+  }
+  // A game that ended by a fault has a recording without an end.
+  if (length.cut && attempt.record.termination == record::Termination::Finished) {
+    throw std::invalid_argument(file.string() + ": is cut off after tick " + std::to_string(length.ticks) +
+                                "; without --recorded the game is played again from its seed");
+  }
 }
 
 /// What follows from the game having been played again.
@@ -91,6 +121,7 @@ int replay(const ReplayOptions& options) {
   set_team_time(experiment.design.limits.team_time, settings);
   if (options.recorded) {
     config.continuation = record::Continuation{replies_of(options.folder, attempt), std::nullopt};
+    check_recording(config.continuation->recording, config, attempt);
     if (attempt.record.ticks > 0) settings.last_tick = attempt.record.ticks;
   } else {
     runner::team_files(config.teams.yellow, "yellow");

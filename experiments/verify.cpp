@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/commands.h"
+#include "experiments/host/recorded_teams.h"
 #include "experiments/isolation.h"
 #include "experiments/one_game.h"
 #include "experiments/record/ledger.h"
@@ -176,6 +177,12 @@ class Verifier {
     }
     if (!replies && !not_from_seed.empty()) {
       game.reason = "its replies were not kept, and " + not_from_seed;
+      return game;
+    }
+    try {
+      if (replies) host::recorded_length(*replies);  // all of it is read before any of it is played
+    } catch (const std::runtime_error& error) {
+      game.reason = std::string("its recording cannot be played: ") + error.what();
       return game;
     }
     try {

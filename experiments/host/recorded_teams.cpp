@@ -50,11 +50,12 @@ record::MatchConfig recorded_config(const std::filesystem::path& path) {
   }
 }
 
-std::int64_t recorded_ticks(const std::filesystem::path& path) {
+RecordedLength recorded_length(const std::filesystem::path& path) {
   wire::RecordingReader reader(path);
-  std::int64_t last = 0;
-  while (const wire::proto::Tick* tick = reader.next()) last = tick->tick();
-  return last;
+  RecordedLength length;
+  while (const wire::proto::Tick* tick = reader.next()) length.ticks = tick->tick();
+  length.cut = reader.cut();
+  return length;
 }
 
 Recorder::Recorder(const std::filesystem::path& path, const record::MatchConfig& config,

@@ -36,9 +36,14 @@ class RecordedTeams {
 /// @throws std::runtime_error naming the file
 record::MatchConfig recorded_config(const std::filesystem::path& path);
 
-/// How many ticks the recording has; reads all of it.
+struct RecordedLength {
+  std::int64_t ticks = 0;
+  bool cut = false;  ///< the file stops before its end
+};
+
+/// How many ticks the recording has; reads and checks all of it.
 /// @throws std::runtime_error naming the file
-std::int64_t recorded_ticks(const std::filesystem::path& path);
+RecordedLength recorded_length(const std::filesystem::path& path);
 
 /// Writes a recording while a game is played.
 class Recorder {

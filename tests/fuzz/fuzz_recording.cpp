@@ -8,7 +8,7 @@ bool fuzz::recording(std::string_view bytes) {
   const std::filesystem::path file = stored(bytes, "fuzzed.replies");
   try {
     host::recorded_config(file);
-    return host::recorded_ticks(file) > 0;
+    return host::recorded_length(file).ticks > 0;
   } catch (const std::runtime_error& error) {
     check_sentence(error.what(), file);
     return false;

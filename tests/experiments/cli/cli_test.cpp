@@ -307,6 +307,40 @@ TEST_F(MatchdayProgram, RefusesADamagedRecordingBeforeItPlaysAnyOfIt) {
   EXPECT_THAT(said.text, AllOf(HasSubstr("game.replies: record "), Not(HasSubstr("internal error"))));
 }
 
+TEST_F(MatchdayProgram, RefusesADamagedOrSwappedRecordingOfAResultFolder) {
+  std::ofstream(folder_ / "d.toml") << "name = \"d\"\npairs = 1\n[rules]\nhalf_length = 2\n"
+                                    << "[limits]\nsampled = 1.0\naudited = 0.0\n"
+                                    << "[teams.a]\ncommand = \"fake-team --mode wander\"\n"
+                                    << "[teams.b]\ncommand = \"fake-team --mode wander\"\n";
+  matchday("run d.toml --out r --no-preflight");
+  // The last attempt: fake teams may play no game that counts.
+  const auto recording = [&](const std::string& game) {
+    fs::path last;
+    for (const std::string number : {"1", "2", "3"}) {
+      const fs::path file = folder_ / "r/games" / game / number / "game.replies.gz";
+      if (fs::exists(file)) last = file;
+    }
+    return last;
+  };
+  const fs::path file = recording("base-0000-0");
+  ASSERT_FALSE(file.empty());
+  const auto refused = [&](const std::string& sentence) {
+    const Said said = matchday("replay r base-0000-0 --recorded");
+    EXPECT_EQ(said.code, 2) << said.text;
+    EXPECT_THAT(said.text, AllOf(StartsWith("matchday: "), HasSubstr("game.replies.gz: " + sentence)));
+  };
+  fs::copy_file(recording("base-0000-1"), file, fs::copy_options::overwrite_existing);
+  refused("is the recording of another game than base-0000-0: ");
+  fs::resize_file(file, 10);
+  refused("");
+  const Said verified = matchday("verify r");
+  EXPECT_EQ(verified.code, 5);
+  EXPECT_THAT(verified.text,
+              AllOf(HasSubstr("game.replies.gz has 10 bytes"), Not(HasSubstr("internal error"))));
+  std::ofstream(file, std::ios::trunc) << "";
+  refused("");
+}
+
 // The teams never connect, so that the signal comes while the host waits for them.
 TEST_F(MatchdayProgram, PlanEndsBySignalAsEveryCommandDoes) {
   const std::string silent = "command = \"" + fakes::bin_dir() + "/fake-team --mode never-connect\"\n";
