@@ -119,6 +119,7 @@ int replay(const ReplayOptions& options) {
   }
   settings.memory_limit = experiment.design.limits.team_memory << 20;
   set_team_time(experiment.design.limits.team_time, settings);
+  settings.must_be_plausible = true;  // as when it was played, so that it ends alike
   if (options.recorded) {
     config.continuation = record::Continuation{replies_of(options.folder, attempt), std::nullopt};
     check_recording(config.continuation->recording, config, attempt);

@@ -65,11 +65,7 @@ record::MatchRecord Match::run() {
     }
     record.termination = Termination::Finished;
     record.at_fault = record::Party::Nobody;
-    if (options_.must_be_plausible && !vitals_.complaint().empty()) {
-      record.termination = Termination::Implausible;
-      record.at_fault = record::Party::Harness;
-      record.reason = "this was no game: " + vitals_.complaint();
-    }
+    if (options_.must_be_plausible && !anyone_at_fault()) judge(vitals_.complaint(), record);
   } catch (const Interrupted&) {
     record.termination = Termination::Interrupted;
     record.reason = "the game was interrupted";
@@ -198,7 +194,7 @@ void Match::play_ticks() {
   }
   while (tick()) {
     if (engine_.tick() % world::ticks_per_second == 0) {
-      vitals_.add(engine_.truth(), commands_, referee_->message(), referee_->state());
+      vitals_.add(engine_.truth(), referee_->message(), referee_->state());
       look_around();
       refuse_visitors();
       begin_second();
@@ -230,6 +226,7 @@ bool Match::tick() {
   hash_.add(engine_.truth(), commands_, referee_->message(), output.ball_reset);
   report(tally_.add(output, *referee_));
   statistics_.update(engine_.truth(), referee_->state());
+  vitals_.note(commands_, referee_->state());
   if (options_.on_tick) options_.on_tick(engine_, *referee_);
   act_on_wishes(output);
   lap(Part::Bookkeeping);
@@ -407,44 +404,6 @@ void Match::report(std::span<const record::CallEntry> entries) {
 
 void Match::lap(Part part) {
   if (options_.stopwatch != nullptr) options_.stopwatch->lap(part);
-}
-
-void Match::end(record::MatchRecord& record) {
-  const std::optional<Fault>& yellow = teams_.yellow->fault();
-  const std::optional<Fault>& blue = teams_.blue->fault();
-  if (yellow || blue) {
-    const Fault& first = yellow ? *yellow : *blue;
-    record.termination = first.termination;
-    record.reason = first.reason;
-    record.at_fault = yellow ? record::Party::Yellow : record::Party::Blue;
-    if (yellow && blue) {
-      record.at_fault = record::Party::Both;
-      record.reason += "; " + blue->reason;
-    }
-  }
-  if (referee_) {
-    tally_.finish(*referee_, record);
-    statistics_.finish();
-    record.statistics = statistics_.result();
-    for (const world::Team team : world::both_teams) {
-      record.counters[std::string("bad_commands_") + world::name(team)] = bad_commands_[team];
-    }
-  }
-  record.ticks = engine_.tick();
-  record.hash = hash_.digits();
-  for (const world::Team team : world::both_teams) {
-    const wire::proto::TeamHello& hello = hellos_[team];
-    record.versions[team] = hello.name() + (hello.version().empty() ? "" : " " + hello.version());
-  }
-  const std::string farewell = record.reason.empty() ? "the game is over" : record.reason;
-  const Budget::Clock::time_point now = Budget::Clock::now();
-  for (const world::Team team : world::both_teams) {
-    teams_[team]->settle_budget(now);
-    teams_[team]->end(farewell, options_.stop_grace);
-    if (const int strangers = teams_[team]->strangers(); strangers > 0) {
-      record.costs[std::string("refused_connections_") + world::name(team)] = strangers;
-    }
-  }
 }
 
 }  // namespace host

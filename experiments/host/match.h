@@ -71,6 +71,7 @@ class Match {
   void report(std::span<const record::CallEntry> entries);
   void lap(Part part);
   bool anyone_at_fault() const { return teams_.yellow->fault() || teams_.blue->fault(); }
+  void judge(const Vitals::Complaint& complaint, record::MatchRecord& record);
   void end(record::MatchRecord& record);
 
   record::MatchConfig config_;

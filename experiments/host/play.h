@@ -40,8 +40,8 @@ struct Options {
 
   // What a team may use, all its processes together; more ends the game as OverLimit. 0: any amount. Ours:
   // many times what any team of the league needs, and few enough for a machine with several games.
-  std::int64_t memory_limit = std::int64_t{2} << 30;  ///< [bytes] resident, looked at every 0.1 s
-  std::int64_t output_limit = std::int64_t{1} << 30;  ///< [bytes] printed
+  std::int64_t memory_limit = std::int64_t{2} << 30;  ///< [bytes] resident or in memory files, every 0.1 s
+  std::int64_t output_limit = std::int64_t{1} << 30;  ///< [bytes] printed and written
   std::size_t thread_limit = 1000;                    ///< processes and their threads; looked at as memory
   std::size_t kept_output = std::size_t{4} << 20;     ///< [bytes] of what a team prints, in its log
 
@@ -52,7 +52,8 @@ struct Options {
 
   bool explain = false;  ///< calls come with their evidence
 
-  /// A game that was none (vitals.h) ends as Implausible: for experiments, where it must not count.
+  /// A game that was none (vitals.h) ends as Implausible, or as StoodStill where one team alone never moved:
+  /// for experiments, where it must not count as played.
   bool must_be_plausible = false;
   /// The game is broken off after this tick, as Interrupted.
   std::optional<std::int64_t> last_tick;

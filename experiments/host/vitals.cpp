@@ -6,15 +6,26 @@
 
 namespace host {
 
-void Vitals::add(const truth::Frame& truth, const world::PerTeam<world::TeamCommands>& commands,
-                 const world::RefereeMessage& message, const world::GameState& state) {
+void Vitals::note(const world::PerTeam<world::TeamCommands>& commands, const world::GameState& state) {
+  in_play_ = in_play_ || state.location == world::Location::GameOn;
+  for (const world::Team team : world::both_teams) {
+    if (commanded_[team]) continue;
+    const world::TeamCommands& its = commands[team];
+    commanded_[team] = std::any_of(its.begin(), its.end(), [](const world::RobotCommand& command) {
+      return !command.velocity_local.isZero(0) || command.angular_velocity != 0;
+    });
+  }
+}
+
+void Vitals::add(const truth::Frame& truth, const world::RefereeMessage& message,
+                 const world::GameState& state) {
   if (first_.empty()) {
     first_ = truth.robots;
     first_command_ = message.command_counter;
   }
   heard_ = heard_ || message.command_counter != first_command_;
-  const bool in_play = state.location == world::Location::GameOn;
-  in_play_ = in_play_ || in_play;
+  const world::CommandKind kind = message.command.kind;
+  started_ = started_ || in_play_ || kind == world::CommandKind::Ready || kind == world::CommandKind::Start;
 
   for (const truth::Robot& robot : truth.robots) {
     const auto first = std::find_if(first_.begin(), first_.end(),
@@ -22,13 +33,6 @@ void Vitals::add(const truth::Frame& truth, const world::PerTeam<world::TeamComm
     if (first == first_.end()) continue;
     double& way = way_[robot.id.team];
     way = std::max(way, (robot.position - first->position).norm());
-  }
-  for (const world::Team team : world::both_teams) {
-    const world::TeamCommands& its = commands[team];
-    commanded_[team] =
-        commanded_[team] || std::any_of(its.begin(), its.end(), [](const world::RobotCommand& command) {
-          return !command.velocity_local.isZero(0) || command.angular_velocity != 0;
-        });
   }
   if (state.location == world::Location::GameOff) count(truth, message);
 }
@@ -50,19 +54,26 @@ void Vitals::count(const truth::Frame& truth, const world::RefereeMessage& messa
   }
 }
 
-std::string Vitals::complaint() const {
-  if (!heard_) return "the referee was not heard: it gave no command";
-  for (const world::Team team : world::both_teams) {
-    const std::string who = world::name(team);
-    if (!commanded_[team]) return who + " never told a robot to move";
-    if (way_[team] < least_way) {
-      std::array<char, 64> text{};
-      std::snprintf(text.data(), text.size(), "no robot came further than %.2f m", way_[team]);
-      return who + " did not move: " + text.data();
-    }
-  }
-  if (!in_play_) return "the ball was never in play";
-  return miscount_;
+// What it commanded does not excuse a team whose robots stay: a millionth of a metre a second, turns on the
+// spot or two robots that push each other are commands, too.
+std::string Vitals::stillness(world::Team team) const {
+  if (!commanded_[team]) return "never told a robot to move";
+  if (way_[team] >= least_way) return "";
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "did not move: no robot came further than %.2f m", way_[team]);
+  return text.data();
+}
+
+Vitals::Complaint Vitals::complaint() const {
+  if (!heard_) return {"the referee was not heard: it gave no command", {}};
+  const std::string yellow = stillness(world::Team::Yellow);
+  const std::string blue = stillness(world::Team::Blue);
+  if (!yellow.empty() && !blue.empty()) return {"yellow " + yellow + ", and blue " + blue, {}};
+  if (!miscount_.empty()) return {miscount_, {}};
+  if (started_ && !yellow.empty()) return {yellow, world::Team::Yellow};
+  if (started_ && !blue.empty()) return {blue, world::Team::Blue};
+  if (!in_play_) return {"the ball was never in play", {}};
+  return {};
 }
 
 }  // namespace host

@@ -7,9 +7,9 @@
 namespace record {
 namespace {
 
-constexpr std::array<const char*, 12> termination_names = {
-    "finished", "not-started", "not-connected", "crashed",       "closed",     "not-responding",
-    "nonsense", "overlong",    "interrupted",   "harness-fault", "over-limit", "implausible"};
+constexpr std::array<const char*, 13> termination_names = {
+    "finished", "not-started", "not-connected", "crashed",    "closed",      "not-responding", "nonsense",
+    "overlong", "interrupted", "harness-fault", "over-limit", "implausible", "stood-still"};
 constexpr std::array<const char*, 5> party_names = {"nobody", "yellow", "blue", "both", "harness"};
 constexpr std::array<const char*, 4> outcome_names = {"yellow-wins", "blue-wins", "draw", "void"};
 

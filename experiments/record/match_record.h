@@ -26,8 +26,9 @@ enum class Termination : std::uint8_t {
   Interrupted,    ///< stopped by the user (harness)
   HarnessFault,   ///< anything else that no team did
   OverLimit,      ///< it used more memory or time, or printed more, than a team may
-  /// over, but no game: a team never moved, robots were missing, or nothing was in play (harness)
-  Implausible
+  /// over, but no game: nobody moved, robots were missing, or nothing was in play (harness)
+  Implausible,
+  StoodStill  ///< over, and the other team moved, but it never did
 };
 
 /// Who is to blame when a game did not finish.

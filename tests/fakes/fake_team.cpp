@@ -39,6 +39,7 @@ constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK] [--milli
 
   good          stands still
   wander        drives its robots in circles given by the seed
+  creep         tells its robots to drive a millionth of a metre a second
   never-connect runs but does not connect
   exit-at-start ends with code 3 before it connects
   no-hello      connects and is silent
@@ -450,6 +451,13 @@ int play(const Arguments& arguments) {
     to_host.mutable_reply()->set_tick(tick);
     wire::proto::RobotControl& control = *to_host.mutable_reply()->mutable_control();
     if (mode == "wander") drive_in_circles(hello, control);
+    if (mode == "creep") {
+      drive_in_circles(hello, control);
+      for (auto& command : *control.mutable_robot_commands()) {
+        command.mutable_move_command()->mutable_local_velocity()->set_forward(1e-6F);
+        command.mutable_move_command()->mutable_local_velocity()->set_angular(0);
+      }
+    }
     if (mode == "not-numbers") {
       drive_in_circles(hello, control);
       control.mutable_robot_commands(0)->mutable_move_command()->mutable_local_velocity()->set_forward(

@@ -341,15 +341,26 @@ TEST_F(Faults, StrangeFilesOfATeamTroubleNobody) {
   EXPECT_FALSE(std::filesystem::exists(config.directory));
 }
 
-TEST_F(Faults, ATeamThatStandsStillIsNoGameForAnExperiment) {
+TEST_F(Faults, ATeamThatStandsStillForfeitsInAnExperiment) {
   auto config = fakes::short_game("wander", "good");
   config.half_length = 1;
   EXPECT_EQ(play(config, options_).termination, Termination::Finished) << "whoever looks on may judge";
   options_.must_be_plausible = true;
+  expect_blue(play(config, options_), Termination::StoodStill, "never told a robot to move");
+  config.teams.blue.command = fakes::fake_team("creep");
+  expect_blue(play(config, options_), Termination::StoodStill,
+              "did not move: no robot came further than 0.00 m");
+}
+
+TEST_F(Faults, WhereBothTeamsStandStillItIsNoGame) {
+  auto config = fakes::short_game("good", "good");
+  config.half_length = 1;
+  options_.must_be_plausible = true;
   const auto record = play(config, options_);
   EXPECT_EQ(record.termination, Termination::Implausible);
   EXPECT_EQ(record.at_fault, Party::Harness);
-  EXPECT_EQ(record.reason, "this was no game: blue never told a robot to move");
+  EXPECT_EQ(record.reason,
+            "this was no game: yellow never told a robot to move, and blue never told a robot to move");
   EXPECT_EQ(record::outcome(record), record::Outcome::Void);
 }
 

@@ -41,7 +41,7 @@ TEST(MatchRecord, CountsGoalsAsPlayedWhenNobodyIsAtFault) {
 }
 
 TEST(MatchRecord, NamesAreReadBack) {
-  for (int i = 0; i <= static_cast<int>(Termination::Implausible); ++i) {
+  for (int i = 0; i <= static_cast<int>(Termination::StoodStill); ++i) {
     const auto termination = static_cast<Termination>(i);
     EXPECT_EQ(termination_from_name(name(termination)), termination);
   }

@@ -28,6 +28,17 @@ TEST(Health, CountsFaultsByTeamAndKind) {
   EXPECT_THAT(health.reasons, testing::Contains(HasSubstr("equal-0000-1: A crashed, ended by signal 11")));
 }
 
+TEST(Health, NamesATeamThatStoodStill) {
+  std::vector<record::Attempt> games = {forfeit_by_a(game("equal", 0, 0, 0, 0))};
+  games[0].record.termination = record::Termination::StoodStill;
+  games[0].record.reason = "blue (A) never told a robot to move";
+  const Health health = health_of(games);
+  EXPECT_EQ(health.forfeits, 1);
+  EXPECT_THAT(health.faults, ElementsAre(Pair("A stood-still", 1)));
+  EXPECT_THAT(health.reasons,
+              ElementsAre("equal-0000-0: A stood-still, blue (A) never told a robot to move"));
+}
+
 /// Games of which A wins, draws and loses about a third each, mixed by chance, on two workers.
 std::vector<record::Attempt> even_games() {
   stats::Random random(1);

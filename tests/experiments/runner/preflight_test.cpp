@@ -44,11 +44,11 @@ TEST(Preflight, JudgesTheRecords) {
   EXPECT_FALSE(judged(game, design).failed) << "a team that is not deterministic may play";
   EXPECT_THAT(judged(game, design).sentence, HasSubstr("not deterministic"));
 
-  game.records[1].termination = record::Termination::Implausible;
-  game.records[1].at_fault = record::Party::Harness;
-  game.records[1].reason = "this was no game: yellow never told a robot to move";
+  game.records[1].termination = record::Termination::StoodStill;
+  game.records[1].at_fault = record::Party::Yellow;
+  game.records[1].reason = "yellow (A) never told a robot to move";
   EXPECT_TRUE(judged(game, design).failed);
-  EXPECT_THAT(judged(game, design).sentence, HasSubstr("yellow never told"));
+  EXPECT_THAT(judged(game, design).sentence, HasSubstr("yellow (A) never told"));
 }
 
 TEST(Preflight, CountsTheGamesOfEveryTwoPrograms) {
