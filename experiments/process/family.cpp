@@ -1,6 +1,5 @@
 #include "experiments/process/family.h"
 
-#include <dirent.h>
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -10,17 +9,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <fstream>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <string_view>
 #include <thread>
+
+#include "experiments/process/proc.h"
 
 namespace process {
 namespace {
@@ -31,25 +30,6 @@ using Clock = std::chrono::steady_clock;
 // must not hold a night up
 constexpr std::chrono::seconds patience{2};
 constexpr std::size_t most_members = 4096;  // of a family, so that a fork bomb cannot hold us either
-
-/// The names in a folder of /proc that are numbers.
-std::vector<pid_t> numbers_in(const std::string& folder) {
-  struct Close {
-    void operator()(DIR* directory) const { ::closedir(directory); }
-  };
-  std::vector<pid_t> numbers;
-  const std::unique_ptr<DIR, Close> directory(::opendir(folder.c_str()));
-  if (!directory) return numbers;
-  while (const dirent* entry = ::readdir(directory.get())) {
-    const std::string_view name = entry->d_name;
-    const bool digits =
-        std::all_of(name.begin(), name.end(), [](char letter) { return letter >= '0' && letter <= '9'; });
-    if (digits) numbers.push_back(static_cast<pid_t>(std::stol(std::string(name))));
-  }
-  return numbers;
-}
-
-std::string folder_of(pid_t process) { return "/proc/" + std::to_string(process); }
 
 /// Children of all its threads; nothing on a kernel without CONFIG_PROC_CHILDREN.
 std::vector<pid_t> children_of(pid_t process) {
@@ -224,11 +204,21 @@ std::vector<pid_t> family_of(pid_t process) {
 }
 
 std::int64_t resident_memory(pid_t process) {
-  std::ifstream stream(folder_of(process) + "/statm");  // sizes in pages: whole, resident, ...
-  std::int64_t whole = 0;
-  std::int64_t resident = 0;
-  stream >> whole >> resident;
-  return stream ? resident * ::sysconf(_SC_PAGESIZE) : 0;
+  const auto resident_of = [](const std::string& folder) {
+    std::ifstream stream(folder + "/statm");  // sizes in pages: whole, resident, ...
+    std::int64_t whole = 0;
+    std::int64_t resident = 0;
+    stream >> whole >> resident;
+    return stream ? resident * ::sysconf(_SC_PAGESIZE) : 0;
+  };
+  if (const std::int64_t resident = resident_of(folder_of(process)); resident > 0) return resident;
+  // A first thread that has ended holds nothing, while the others go on.
+  const std::string tasks = folder_of(process) + "/task";
+  for (const pid_t thread : numbers_in(tasks)) {
+    const std::int64_t resident = resident_of(tasks + "/" + std::to_string(thread));
+    if (resident > 0) return resident;
+  }
+  return 0;
 }
 
 std::int64_t family_memory(pid_t process) {

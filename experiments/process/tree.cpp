@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -62,7 +61,7 @@ void add_size(int folder, int depth, const TreeBounds& bounds, TreeSize& sum) {
     struct stat status {};
     if (::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) continue;
     if (S_ISREG(status.st_mode)) {
-      sum.bytes += std::min(std::int64_t{status.st_size}, std::int64_t{status.st_blocks} * block);
+      sum.bytes += std::int64_t{status.st_blocks} * block;  // not st_size: neither holes nor room set aside
     }
     if (!S_ISDIR(status.st_mode)) continue;
     if (depth >= bounds.depth) {

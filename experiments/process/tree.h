@@ -10,7 +10,7 @@ namespace process {
 
 /// What a folder takes.
 struct TreeSize {
-  std::int64_t bytes = 0;   ///< of files; one with holes counts what it fills on the disk
+  std::int64_t bytes = 0;   ///< of files on the disk: without holes, with what is set aside for them
   std::size_t entries = 0;  ///< files, folders and everything else
   bool whole = true;        ///< false: there is more, beyond the bounds
 };
