@@ -7,6 +7,7 @@
 #include <array>
 
 #include "experiments/process/family.h"
+#include "experiments/process/held.h"
 #include "experiments/process/tree.h"
 #include "sim/wire/team_limits.h"
 
@@ -18,8 +19,8 @@ using record::Termination;
 
 // A process that closed its socket because it ends needs this long at most to be seen as ended (ours).
 constexpr auto farewell = 500ms;
-// Looking through a team's log folder may take one part in so many of our time (ours).
-constexpr int log_look_share = 50;
+// Looking through a team's open files and log folder may take one part in so many of our time (ours).
+constexpr int file_look_share = 50;
 
 // What bubblewrap says of a program with a missing interpreter, or for another kind of machine.
 constexpr const char* cannot_execute = "bwrap: execvp ";
@@ -258,36 +259,44 @@ void TeamProcess::check_threads(std::size_t most) {
 void TeamProcess::check_limits(std::int64_t memory, std::int64_t output) {
   if (!child_ || fault_) return;
   const auto mebibytes = [](std::int64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; };
+  if (memory > 0 || output > 0) look_at_files(output);
   const auto printed = static_cast<std::int64_t>(child_->output().written() + child_->output().discarded());
-  if (output > 0) {
-    check_logs(output);
-    if (printed + logged_ > output) {
-      blame(Termination::OverLimit,
-            (logged_ > 0 ? "printed and wrote more than " : "printed more than ") + mebibytes(output));
-    }
+  if (const std::int64_t files = logged_ + held_.disk; output > 0 && printed + files > output) {
+    blame(Termination::OverLimit,
+          (files > 0 ? "printed and wrote more than " : "printed more than ") + mebibytes(output));
   }
   if (isolated_) child_->usage();  // what it has used is not known when it has ended
   if (memory == 0) return;
-  const std::int64_t held = process::family_memory(child_->pid());
+  const std::int64_t held = process::family_memory(child_->pid()) + held_.memory;
   if (held > memory) {
     blame(Termination::OverLimit,
           "held " + mebibytes(held) + " of memory, " + mebibytes(memory) + " are allowed");
   }
 }
 
-void TeamProcess::check_logs(std::int64_t output) {
+// Open files before those with a name: one that loses its name in between must not count twice.
+void TeamProcess::look_at_files(std::int64_t output) {
   const Patience::Clock::time_point begin = Patience::Clock::now();
-  if (logs_.empty() || begin < next_log_look_) return;
-  const process::TreeSize size = process::tree_size(logs_);
-  logged_ = size.bytes;
-  const Patience::Clock::time_point now = Patience::Clock::now();
-  next_log_look_ = now + log_look_share * (now - begin);
-  if (!size.whole && logged_ <= output) {
-    const process::TreeBounds bounds;
-    blame(Termination::OverLimit, "left more than " + std::to_string(bounds.entries) +
-                                      " files, or folders deeper than " + std::to_string(bounds.depth) +
-                                      ", in its log folder");
+  if (begin < next_file_look_) return;
+  using process::OwnMounts;
+  held_ = process::held_by(process::family_of(child_->pid()), logs_,
+                           isolated_ ? OwnMounts::Counted : OwnMounts::Ignored);
+  if (!held_.whole) {
+    blame(Termination::OverLimit, "has more than " + std::to_string(process::most_held_entries) +
+                                      " open files" + (isolated_ ? " and mounts" : ""));
   }
+  if (output > 0 && !logs_.empty()) {
+    const process::TreeSize size = process::tree_size(logs_);
+    logged_ = size.bytes;
+    if (!size.whole && logged_ <= output) {
+      const process::TreeBounds bounds;
+      blame(Termination::OverLimit, "left more than " + std::to_string(bounds.entries) +
+                                        " files, or folders deeper than " + std::to_string(bounds.depth) +
+                                        ", in its log folder");
+    }
+  }
+  const Patience::Clock::time_point now = Patience::Clock::now();
+  next_file_look_ = now + file_look_share * (now - begin);
 }
 
 void see_who_answers(const world::PerTeam<TeamProcess*>& teams) {

@@ -18,6 +18,7 @@
 #include "experiments/host/peer.h"
 #include "experiments/host/private_directory.h"
 #include "experiments/process/child.h"
+#include "experiments/process/held.h"
 #include "experiments/record/match_config.h"
 #include "experiments/record/match_record.h"
 
@@ -134,7 +135,7 @@ class TeamProcess {
  private:
   Family family() const;
   void admit(int socket);
-  void check_logs(std::int64_t output);
+  void look_at_files(std::int64_t output);
   std::vector<pid_t> processes() const;  // its family, and those known to have left it
   void note_gone();                      // it closed the channel or ended: why?
   bool waited_enough(record::Termination termination, const std::string& what);  // blames it when so
@@ -149,8 +150,9 @@ class TeamProcess {
   int strangers_ = 0;
   bool isolated_ = false;
   std::filesystem::path logs_;
-  std::int64_t logged_ = 0;  // [bytes] in that folder
-  Patience::Clock::time_point next_log_look_{};
+  std::int64_t logged_ = 0;  // [bytes] of files in that folder
+  process::Held held_;       // besides what is resident, and what has a name
+  Patience::Clock::time_point next_file_look_{};
   std::optional<process::Child> child_;
   std::optional<Channel> channel_;
   std::span<const std::byte> payload_;  // of the last frame, in the channel's memory

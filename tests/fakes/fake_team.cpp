@@ -31,6 +31,7 @@
 
 #include "sim/wire/delimited.h"
 #include "sim/wire/match.h"
+#include "tests/fakes/hoard.h"
 #include "tests/fakes/trespass.h"
 
 namespace {
@@ -70,6 +71,11 @@ constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK] [--milli
   memory        takes 64 MiB more every tick from TICK on
   burst         takes memory without end at TICK and does not answer
   threads       starts 1200 threads at TICK and does not answer
+  hoard         writes 64 MiB more every tick from TICK on into a file that is memory only
+  hoard-apart   the same in a thread that has its open files for itself
+  hoard-tmp     the same in a file of its folder for temporary files, which it closes
+  unlink        writes 64 MiB more every tick from TICK on into a file of its log folder that has no name
+  reserve       has room for 64 MiB more every tick from TICK on set aside for an empty file in its log folder
   connect-twice connects a second time to its own socket at TICK
   intrude       connects to the other team's socket before its own, where it then plays
   intrude-late  connects to the other team's socket at TICK
@@ -476,6 +482,7 @@ int play(const Arguments& arguments) {
     }
     if (mode == "slow") ::usleep(1000);
     if (mode == "chatter") std::cout << std::string(20'000, '.') << std::flush;
+    if (tick >= arguments.at) fakes::hoard(mode, hello.log_directory());
     if (tick >= arguments.at) misbehave(arguments, host, to_host);
     if (!host.send(to_host)) return 1;
   }

@@ -292,6 +292,16 @@ TEST_F(Faults, StartsThreadsWithoutEnd) {
   EXPECT_THAT(record.reason, HasSubstr(" processes and threads, 1000 are allowed"));
 }
 
+// Of 512 MiB; the fake itself takes a few.
+TEST_F(Faults, HoldsMemoryInFilesThatAreNotMapped) {
+  options_.memory_limit = std::int64_t{300} << 20;
+  for (const std::string mode : {"hoard", "hoard-apart"}) {
+    const auto record = play_against(mode);
+    expect_blue(record, Termination::OverLimit, "held ");
+    EXPECT_THAT(record.reason, HasSubstr(" MiB of memory, 300 MiB are allowed")) << mode;
+  }
+}
+
 TEST_F(Faults, WritesGigabytes) {
   options_.output_limit = std::int64_t{256} << 20;  // of the gigabytes it would print
   auto config = fakes::short_game("good", "gigabytes");
@@ -328,6 +338,17 @@ TEST_F(Faults, FillsItsLogFolder) {
               "left more than 10000 files, or folders deeper");
   process::remove_tree(config.directory);
   EXPECT_FALSE(std::filesystem::exists(config.directory));
+}
+
+TEST_F(Faults, TakesRoomOnTheDiskThatNoFileShows) {
+  options_.output_limit = std::int64_t{256} << 20;  // of 512 MiB
+  for (const std::string mode : {"unlink", "reserve"}) {
+    auto config = fakes::short_game("good", mode);
+    config.directory =
+        std::filesystem::temp_directory_path() / ("matchday-" + mode + "-" + std::to_string(::getpid()));
+    expect_blue(play(config, options_), Termination::OverLimit, "printed and wrote more than 256 MiB");
+    process::remove_tree(config.directory);
+  }
 }
 
 TEST_F(Faults, StrangeFilesOfATeamTroubleNobody) {

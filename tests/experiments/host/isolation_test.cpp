@@ -171,6 +171,12 @@ TEST_F(IsolatedTeams, LimitsHoldAndUseIsCounted) {
   if (!has(Isolation::Network)) GTEST_SKIP();
   options_.memory_limit = std::int64_t{256} << 20;
   EXPECT_THAT(play_at(Isolation::Network, "memory").reason, HasSubstr("of memory, 256 MiB are allowed"));
+  for (const std::string mode : {"hoard", "hoard-apart"}) {
+    EXPECT_THAT(play_at(Isolation::Network, mode).reason, HasSubstr("of memory, 256 MiB are allowed"))
+        << mode;
+  }
+  options_.memory_limit = std::int64_t{128} << 20;  // its folder has room for 256 MiB
+  EXPECT_THAT(play_at(Isolation::Network, "hoard-tmp").reason, HasSubstr("of memory, 128 MiB are allowed"));
   EXPECT_THAT(play_at(Isolation::Network, "connect-twice").reason, HasSubstr("connected a second time"));
   options_.memory_limit = 0;
   const auto record = play_at(Isolation::Network, "chatter");
