@@ -39,7 +39,14 @@ schedule::Design checked_design(const std::filesystem::path& file) {
 }
 
 void build_teams(schedule::Design& design, const std::filesystem::path& result_folder) {
-  builds::prepare(design, result_folder / "builds", std::cerr, [] {
+  const std::filesystem::path builds = result_folder / "builds";
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(builds, ignored)) {
+    throw record::StorageError(builds.string() +
+                               ": is a link, and a run writes into its own folder only; remove it, or give "
+                               "another --out");
+  }
+  builds::prepare(design, builds, std::cerr, [] {
     return [signals = std::make_shared<runner::Signals>()] {
       return signals->wait(std::chrono::milliseconds{0});
     };

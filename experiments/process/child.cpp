@@ -67,7 +67,8 @@ struct Pipe {
 
   Pipe() {
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw MachineError("cannot make a pipe: " + error_text(errno));
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+      throw MachineError("cannot make a pipe: " + error_text(errno), errno);
     read_end = ends[0];
     write_end = ends[1];
   }
@@ -225,7 +226,7 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
   Pipe report;
   const auto opened = [](const char* path, int mode) {
     const int file = ::open(path, mode | O_CLOEXEC);
-    if (file < 0) throw StartError("cannot open " + std::string(path) + ": " + error_text(errno));
+    if (file < 0) throw StartError("cannot open " + std::string(path) + ": " + error_text(errno), errno);
     return OpenFile(file);
   };
   const OpenFile input = opened(command.input.empty() ? "/dev/null" : command.input.c_str(), O_RDONLY);
@@ -250,7 +251,8 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
   if (pid_ == 0) become(prepared);
   const int fork_error = errno;
   if (pid_ < 0)
-    throw MachineError("program '" + command.arguments.front() + "': cannot fork: " + error_text(fork_error));
+    throw MachineError("program '" + command.arguments.front() + "': cannot fork: " + error_text(fork_error),
+                       fork_error);
   ::setpgid(pid_, pid_);  // whoever comes first; fails harmlessly after the exec
 
   Pipe::close_end(output.write_end);
@@ -263,7 +265,8 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
   if (count > 0) {
     ::waitpid(pid_, nullptr, 0);
     throw StartError("program '" + command.arguments.front() + "' " + describe(failure.step) + ": " +
-                     error_text(failure.error));
+                         error_text(failure.error),
+                     failure.error);
   }
 
   exit_fd_ = static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0U));
@@ -271,7 +274,8 @@ Child::Child(const Command& command) : log_(command.output, command.output_limit
     const int error = errno;
     ::kill(-pid_, SIGKILL);
     ::waitpid(pid_, nullptr, 0);
-    throw StartError("program '" + command.arguments.front() + "' cannot be watched: " + error_text(error));
+    throw StartError("program '" + command.arguments.front() + "' cannot be watched: " + error_text(error),
+                     error);
   }
   ::fcntl(output.read_end, F_SETFL, O_NONBLOCK);
   ::fcntl(output.read_end, F_SETPIPE_SZ, pipe_bytes);  // a wish; smaller works too

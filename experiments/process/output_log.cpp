@@ -23,7 +23,7 @@ OutputLog::OutputLog(const std::filesystem::path& path, std::size_t limit) : lim
   // Whoever reads a named pipe there and is slow loses the rest, and the game goes on.
   file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0644);
   if (file_ < 0) {
-    throw std::runtime_error("cannot write " + path.string() + ": " + std::generic_category().message(errno));
+    throw std::system_error(errno, std::generic_category(), "cannot write " + path.string());
   }
 }
 

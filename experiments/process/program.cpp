@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <string_view>
 #include <system_error>
@@ -24,6 +25,10 @@ fs::path own_folder() {
 }
 
 }  // namespace
+
+bool is_shortage(int cause) {
+  return cause == EAGAIN || cause == ENOMEM || cause == EMFILE || cause == ENFILE;
+}
 
 fs::path find_program(const std::string& name, const fs::path& directory) {
   if (name.empty()) throw StartError("the command of a program is empty");

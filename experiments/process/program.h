@@ -9,7 +9,13 @@ namespace process {
 /// A program could not be started; the message is one sentence that names it and the cause.
 class StartError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// @param cause  errno, where a call of the system failed
+  explicit StartError(const std::string& sentence, int cause = 0)
+      : std::runtime_error(sentence), cause_(cause) {}
+  int cause() const { return cause_; }
+
+ private:
+  int cause_;
 };
 
 /// The same, but nothing is wrong with the program: the machine has no room for another process.
@@ -17,6 +23,9 @@ class MachineError : public StartError {
  public:
   using StartError::StartError;
 };
+
+/// Whether an errno says that the machine has no process, memory or open file left: it may pass by itself.
+bool is_shortage(int cause);
 
 /// The absolute path of a program as a user names it.
 ///

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 #include "sim/files/regular_file.h"
 
@@ -26,13 +27,15 @@ std::string digits(XXH128_hash_t hash) {
 
 std::string checksum(std::string_view bytes) { return digits(XXH3_128bits(bytes.data(), bytes.size())); }
 
-std::string checksum_of_file(const std::filesystem::path& file) {
+std::string checksum_of_file(const std::filesystem::path& file, std::int64_t most) {
   files::RegularFile source(file);
   const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
   XXH3_128bits_reset(state.get());
   std::array<char, 65536> buffer;
   for (std::size_t got = buffer.size(); got == buffer.size();) {
     got = source.read(buffer.data(), buffer.size());
+    most -= static_cast<std::int64_t>(got);
+    if (most < 0) throw std::runtime_error(file.string() + ": has more bytes than it may have");
     XXH3_128bits_update(state.get(), buffer.data(), got);
   }
   return digits(XXH3_128bits_digest(state.get()));

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -12,8 +13,11 @@ namespace record {
 std::string checksum(std::string_view bytes);
 
 /// XXH3-128 of a file's bytes.
-/// @throws std::runtime_error naming the file when it cannot be read
-std::string checksum_of_file(const std::filesystem::path& file);
+///
+/// @param most  [bytes] that are read, for files of others: one with holes costs nothing to make
+/// @throws std::runtime_error naming the file when it cannot be read or has more
+std::string checksum_of_file(const std::filesystem::path& file,
+                             std::int64_t most = std::numeric_limits<std::int64_t>::max());
 
 /// A column of a row as SQLite keeps it: NULL, INTEGER, REAL or TEXT.
 using Value = std::variant<std::monostate, std::int64_t, double, std::string>;

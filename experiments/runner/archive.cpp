@@ -2,6 +2,14 @@
 
 namespace runner {
 
+std::string Archive::cut_down(record::Attempt& attempt, bool sampled) const {
+  if (!Evidence::keeps(attempt, sampled)) return {};
+  const std::string removed = runner::cut_down(folder_.game(record::game_id(attempt.key), attempt.attempt));
+  std::string& reason = attempt.record.reason;
+  if (!removed.empty() && !reason.empty()) reason += "; " + removed;
+  return removed;
+}
+
 bool Archive::add(const record::Attempt& attempt, bool sampled) {
   const std::string game = record::game_id(attempt.key);
   if (!Evidence::keeps(attempt, sampled)) {

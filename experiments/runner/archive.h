@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "experiments/runner/evidence.h"
 #include "experiments/runner/ledger_writer.h"
@@ -19,6 +20,12 @@ class Archive {
   Archive(const ResultFolder& folder, LedgerWriter& writer, std::int64_t limit,
           std::span<const record::Attempt> before)
       : folder_(folder), writer_(writer), evidence_(folder, limit, before) {}
+
+  /// Removes what is too much to be kept of an attempt that has just ended, and says so in its reason, if it has
+  /// one.
+  ///
+  /// @return  what was removed; empty: nothing
+  std::string cut_down(record::Attempt& attempt, bool sampled) const;
 
   /// Writes an attempt that has just ended.
   ///

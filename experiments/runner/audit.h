@@ -33,6 +33,9 @@ class Audits {
 
   void add(const record::Attempt& attempt) { waiting_.push_back({attempt, false, {}}); }
 
+  /// A step that could not be begun is the next again.
+  void put_back(AuditStep step) { waiting_.push_front(std::move(step)); }
+
   bool empty() const { return waiting_.empty(); }
   /// The next to play.
   std::optional<AuditStep> next();

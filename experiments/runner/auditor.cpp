@@ -1,8 +1,11 @@
 #include "experiments/runner/auditor.h"
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <utility>
+
+#include "experiments/runner/shortage.h"
 
 namespace runner {
 
@@ -31,11 +34,16 @@ bool Auditor::start(Crew& crew, const std::string& date) {
   std::optional<AuditStep> step = waiting_.next();
   if (!step) return false;
   const std::string id = record::game_id(step->original.key);
+  folder_.check_links(folder_.audit(id));
   try {
     const std::size_t slot =
         crew.start(Purpose::Audit, audit_job(design_, *step, folder_), folder_.audit(id), date);
     steps_[slot] = std::move(step);
   } catch (const std::runtime_error& error) {
+    if (is_shortage(error)) {
+      waiting_.put_back(*std::move(step));
+      throw;
+    }
     take(*step, never_started(error));
   }
   return true;
@@ -55,6 +63,12 @@ void Auditor::take(const AuditStep& step, const record::MatchRecord& record) {
     writer_.write([audit = *audit](record::Ledger& ledger) { ledger.add(audit); });
     done_.push_back(*audit);
   }
+}
+
+std::size_t Auditor::differing() const {
+  return static_cast<std::size_t>(std::count_if(done_.begin(), done_.end(), [](const record::Audit& audit) {
+    return audit.verdict != record::Verdict::Same && audit.verdict != record::Verdict::Failed;
+  }));
 }
 
 }  // namespace runner

@@ -29,12 +29,14 @@ class Auditor {
 
   bool idle() const { return waiting_.empty(); }  ///< there is none to start
   /// Starts the next audit in a free place; false when there is none to make.
+  /// @throws what the start threw, when the machine lacks what it needs: the audit is the next again
   bool start(Crew& crew, const std::string& date);
 
   /// An audit's game has ended; `cut_short`: with the run, so it will be made up.
   void ended(const Crew::Ended& ended, bool cut_short);
 
   std::span<const record::Audit> done() const { return done_; }
+  std::size_t differing() const;  ///< of those, games that went differently
 
  private:
   void take(const AuditStep& step, const record::MatchRecord& record);

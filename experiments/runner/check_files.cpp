@@ -42,7 +42,7 @@ FileCheck check_files(const fs::path& root, std::span<const record::KeptFile> kn
       if (static_cast<std::int64_t>(size) != file.size) {
         check.problems.push_back(file.path + " has " + std::to_string(size) + " bytes, it was written with " +
                                  std::to_string(file.size));
-      } else if (record::checksum_of_file(root / file.path) != file.checksum) {
+      } else if (record::checksum_of_file(root / file.path, file.size) != file.checksum) {
         check.problems.push_back(file.path + " is not what was written");
       } else {
         ++check.whole;

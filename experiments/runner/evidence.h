@@ -15,7 +15,22 @@ namespace runner {
 /// A number in [0, 1) for each game of an experiment, the same in every run: who is below a share is sampled.
 double sampling_number(const std::string& experiment_hash, const record::GameKey& key);
 
-/// The files in an attempt's folder as they are now, for the ledger.
+/// The most that is kept of one attempt: by length, since a file with holes has one that costs its maker nothing
+/// and takes whoever reads it hours. Ours: what two teams may write; 2 GiB are read in a second.
+struct KeptLimits {
+  std::int64_t bytes = std::int64_t{2} << 30;  ///< of all files together
+  std::size_t files = 50'000;                  ///< twice what two teams may make, with ours
+};
+
+/// Removes what is too much in an attempt's folder: teams' files before ours, the longest first; of too many
+/// files all that teams have made.
+///
+/// @return  what was removed, for the game's note, as "1 file of 1048576 MiB in its folder was removed: ...";
+///          empty: nothing
+std::string cut_down(const std::filesystem::path& folder, const KeptLimits& limits = {});
+
+/// The files in an attempt's folder as they are now, for the ledger; none is read further than its length was
+/// before.
 ///
 /// @param root  the result folder, from which their names are seen
 std::vector<record::KeptFile> files_in(const std::filesystem::path& root,

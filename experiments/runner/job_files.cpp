@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "experiments/process/whole_file.h"
 #include "sim/files/regular_file.h"
 
 namespace runner {
@@ -56,7 +57,7 @@ std::optional<double> read_progress(const fs::path& file) {
 }
 
 void write_job(const fs::path& file, const record::MatchConfig& config) {
-  write_text(file, record::to_json(config));
+  process::write_whole(file, record::to_json(config) + '\n');
 }
 
 void serve_job(const fs::path& job, const fs::path& result,

@@ -47,6 +47,12 @@ std::optional<Job> Plan::next() {
   return Job{schedule::game(design_, entry.index), entry.attempt};
 }
 
+void Plan::put_back(const record::GameKey& key, int attempt) {
+  const std::size_t index = pair_index(key);
+  if (pairs_[index].attempt != attempt || !pairs_[index].needed) return;
+  waiting_.push_front({2 * index + static_cast<std::size_t>(key.leg), attempt});
+}
+
 void Plan::add(const record::Attempt& attempt) {
   const std::size_t index = pair_index(attempt.key);
   Pair& pair = pairs_[index];

@@ -34,6 +34,11 @@ class Plan {
   /// The next attempt to make; nothing when there is none at the moment.
   std::optional<Job> next();
 
+  bool idle() const { return waiting_.empty(); }  ///< there is none at the moment
+
+  /// An attempt that could not be begun is the next again.
+  void put_back(const record::GameKey& key, int attempt);
+
   /// Takes in how an attempt ended.
   void add(const record::Attempt& attempt);
 

@@ -86,4 +86,22 @@ PreflightFinding judged(const PreflightGame& game, const schedule::Design& desig
                      "so its games cannot be played again from their seeds"};
 }
 
+PreflightVerdict verdict(const std::vector<PreflightGame>& games, const schedule::Design& design,
+                         std::size_t places) {
+  PreflightVerdict all;
+  std::vector<Pace> paces;
+  for (const PreflightGame& game : games) {
+    paces.push_back(pace_of(game.job.game.config, game.records, game.games));
+    const PreflightFinding finding = judged(game, design);
+    if (finding.failed) {
+      all.failure = "a short game before the first one failed: " + finding.sentence;
+      return all;
+    }
+    if (!finding.sentence.empty()) all.remarks.push_back(finding.sentence);
+  }
+  if (const std::string slow = slowest_team(design, paces, places); !slow.empty())
+    all.remarks.push_back(slow);
+  return all;
+}
+
 }  // namespace runner

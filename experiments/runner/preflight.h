@@ -37,4 +37,13 @@ struct PreflightFinding {
 };
 PreflightFinding judged(const PreflightGame& game, const schedule::Design& design);
 
+/// The same of all, with what they say about the night's length.
+struct PreflightVerdict {
+  std::string failure;               ///< why the night must not begin; empty: it may
+  std::vector<std::string> remarks;  ///< worth knowing
+};
+/// @param places  games at a time
+PreflightVerdict verdict(const std::vector<PreflightGame>& games, const schedule::Design& design,
+                         std::size_t places);
+
 }  // namespace runner

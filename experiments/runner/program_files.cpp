@@ -1,28 +1,42 @@
 #include "experiments/runner/program_files.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "experiments/process/program.h"
 #include "experiments/record/checksum.h"
+#include "experiments/runner/worker.h"
 
 namespace runner {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> team_files(const record::TeamConfig& team, const std::string& who) {
+namespace {
+
+/// Under the names by which they are started or opened.
+std::vector<fs::path> named_files(const record::TeamConfig& team, const std::string& who) {
   std::vector<fs::path> paths;
   try {
-    paths.push_back(fs::canonical(process::find_program(team.command.front(), team.directory)));
+    paths.push_back(process::find_program(team.command.front(), team.directory));
   } catch (const process::StartError& error) {
     throw std::invalid_argument(who + ": " + error.what());
   }
   for (std::size_t i = 1; i < team.command.size(); ++i) {
     std::error_code ignored;
     const fs::path file = team.directory / team.command[i];
-    if (fs::is_regular_file(file, ignored)) paths.push_back(fs::canonical(file));
+    if (fs::is_regular_file(file, ignored)) paths.push_back(fs::absolute(file));
   }
+  return paths;
+}
+
+}  // namespace
+
+std::vector<fs::path> team_files(const record::TeamConfig& team, const std::string& who) {
+  std::vector<fs::path> paths = named_files(team, who);
+  for (fs::path& path : paths) path = fs::canonical(path);
   return paths;
 }
 
@@ -37,17 +51,29 @@ ProgramFile program_file(const fs::path& path) {
 }
 
 std::vector<ProgramFile> program_files(const schedule::Design& design) {
-  std::vector<fs::path> paths;
+  std::map<fs::path, std::set<fs::path>> names;
   for (const schedule::Condition& condition : design.conditions) {
     for (const auto& [team, letter] : {std::pair{&condition.a, 'a'}, std::pair{&condition.b, 'b'}}) {
-      const auto found = team_files(*team, "condition '" + condition.name + "', team " + letter);
-      paths.insert(paths.end(), found.begin(), found.end());
+      for (const fs::path& name : named_files(*team, "condition '" + condition.name + "', team " + letter)) {
+        names[fs::canonical(name)].insert(name);
+      }
     }
   }
-  std::sort(paths.begin(), paths.end());
-  paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
   std::vector<ProgramFile> files;
-  for (const fs::path& path : paths) files.push_back(program_file(path));
+  for (const auto& [path, all] : names) {
+    files.push_back(program_file(path));
+    files.back().names.assign(all.begin(), all.end());
+  }
+  return files;
+}
+
+std::vector<ProgramFile> program_files(const schedule::Design& design, const std::string& worker) {
+  std::vector<ProgramFile> files = program_files(design);
+  try {
+    files.push_back(program_file(process::find_program(worker)));
+  } catch (const process::StartError& error) {
+    throw std::invalid_argument(start_problem(error));
+  }
   return files;
 }
 

@@ -11,7 +11,8 @@ namespace runner {
 /// A file that a game depends on, and what is in it.
 struct ProgramFile {
   std::filesystem::path path;
-  std::string hash;  ///< XXH3-128 of its bytes, 32 hexadecimal digits
+  std::string hash;                            ///< XXH3-128 of its bytes, 32 hexadecimal digits
+  std::vector<std::filesystem::path> names{};  ///< absolute, as the commands have it, perhaps through links
 };
 
 /// The files in one team's command: its program and the arguments that name existing files.
@@ -24,6 +25,11 @@ std::vector<std::filesystem::path> team_files(const record::TeamConfig& team, co
 ///
 /// @throws std::invalid_argument naming condition, team and program when a program cannot be found
 std::vector<ProgramFile> program_files(const schedule::Design& design);
+
+/// Those, and the program that plays the games, at the end.
+///
+/// @throws std::invalid_argument as above, also for that program
+std::vector<ProgramFile> program_files(const schedule::Design& design, const std::string& worker);
 
 /// One file by name.
 /// @throws std::invalid_argument when it cannot be read

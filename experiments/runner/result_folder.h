@@ -12,7 +12,7 @@ class ResultFolder {
  public:
   /// Makes the folder if there is none, and locks it.
   ///
-  /// @throws record::StorageError when it cannot be made or another run holds it
+  /// @throws record::StorageError when it cannot be made, holds links (see check_links) or another run holds it
   explicit ResultFolder(const std::filesystem::path& path);
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;
@@ -30,6 +30,15 @@ class ResultFolder {
   std::filesystem::path audit(const std::string& id) const { return path_ / "audits" / id; }
   /// preflight/<number>
   std::filesystem::path preflight() const { return path_ / "preflight"; }
+
+  int descriptor() const { return lock_; }  ///< of the folder itself, whatever it is called meanwhile
+
+  /// A link in the folder would make the run write, and throw away, somewhere else.
+  ///
+  /// @throws record::StorageError naming the first: of its entries, and of those of games, audits and preflight
+  void check_links() const;
+  /// The same of the way to a game or audit, just before it is used.
+  void check_links(const std::filesystem::path& below) const;
 
   /// Throws away what an attempt at a game left behind.
   void forget_game(const std::string& id, int attempt) const;

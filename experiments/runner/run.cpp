@@ -3,7 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <map>
+#include <array>
 #include <ostream>
 #include <set>
 
@@ -16,9 +16,9 @@
 #include "experiments/runner/breaker.h"
 #include "experiments/runner/crew.h"
 #include "experiments/runner/evidence.h"
+#include "experiments/runner/folder_watch.h"
 #include "experiments/runner/ledger_opening.h"
 #include "experiments/runner/leftovers.h"
-#include "experiments/runner/pace.h"
 #include "experiments/runner/plan.h"
 #include "experiments/runner/preflight.h"
 #include "experiments/runner/program_files.h"
@@ -26,6 +26,7 @@
 #include "experiments/runner/progress.h"
 #include "experiments/runner/refresher.h"
 #include "experiments/runner/result_folder.h"
+#include "experiments/runner/shortage.h"
 #include "experiments/runner/signals.h"
 #include "experiments/runner/status.h"
 #include "experiments/runner/storage.h"
@@ -35,18 +36,10 @@
 namespace runner {
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 // How often the workers are looked at: well below the time of a game, and too seldom to disturb it.
 constexpr std::chrono::milliseconds look{20};
-
-WorkerLimits limits_of(const RunOptions& options) {
-  WorkerLimits limits = worker_limits(options.limits);
-  limits.start_up = options.start_up;
-  limits.grace = options.grace;
-  return limits;
-}
 
 /// One run from the moment its ledger is open.
 class Run {
@@ -65,9 +58,12 @@ class Run {
         breaker_(options.limits, plan_.total()),
         archive_(folder, writer_, options.limits.kept_logs << 20, before),
         programs_(files),
+        own_folder_(folder),
+        shortage_(options.first_pause, options.disk_patience),
         signals_(signals),
         leftovers_(folder.path()),
-        crew_(options.worker_command, limits_of(options), options.workers, folder.scratch_note()),
+        crew_(options.worker_command, worker_limits(options.limits, options.start_up, options.grace),
+              options.workers, folder.scratch_note()),
         auditor_(design, folder, ledger, writer_, options.limits.audited, before, crew_.places()),
         storage_(writer_,
                  {folder.path(), options.limits.free_disk << 20, options.free_bytes, options.disk_patience}),
@@ -90,7 +86,7 @@ class Run {
       return finish(result);
     }
     state_ = "running";
-    while (start_games() > 0 || (storage_.waiting() && !signal_)) {
+    while (start_games() > 0 || must_wait()) {
       if (const auto signal = signals_.wait(look)) {
         if (signal_) break;  // the second
         drain(*signal);
@@ -139,27 +135,43 @@ class Run {
 
   // --- games
 
-  bool may_start() const { return !signal_ && !storage_.waiting() && !breaker_.tripped(); }
+  bool may_start() const {
+    return !signal_ && !breaker_.tripped() && !storage_.waiting() && !shortage_.waiting(Clock::now());
+  }
+
+  /// Whether there is something to do, for which disk, ledger or machine have to come back.
+  bool must_wait() const {
+    const bool idle = breaker_.tripped() || (plan_.idle() && auditor_.idle());
+    return !signal_ && (storage_.waiting() || (shortage_.lasts() && !idle));
+  }
 
   /// Fills the free places; returns how many games are running.
   std::size_t start_games() {
-    while (crew_.has_room() && may_start() && (start_audit() || start_game())) {
+    try {
+      while (crew_.has_room() && may_start() && (start_audit() || start_game())) {
+      }
+    } catch (const std::runtime_error& error) {
+      if (!is_shortage(error)) throw;
+      lack(start_problem(error));
     }
     return crew_.running();
   }
 
   bool start_audit() {
     if (auditor_.idle()) return false;
-    check_programs();
+    check_files();
     return auditor_.start(crew_, options_.date());
+  }
+
+  void lack(const std::string& reason) {
+    if (const auto news = shortage_.failed(Clock::now(), reason)) progress_.say(*news);
   }
 
   bool start_game() {
     std::optional<Job> job = plan_.next();
     if (!job) return false;
-    check_programs();
-    const std::string id = record::game_id(job->game.key);
-    const std::filesystem::path place = folder_.game(id, job->attempt);
+    check_files();
+    const std::filesystem::path place = folder_.game(record::game_id(job->game.key), job->attempt);
     const bool sampled = is_sampled(job->game.key);
     record::MatchConfig& config = job->game.config;
     // Everything is recorded, since nobody knows beforehand which game will need it; packing is for few.
@@ -167,9 +179,14 @@ class Run {
     if (sampled) config.log = place / "game.log.gz";
     record::Attempt failed = attempt_of(*job);
     failed.started = options_.date();
+    folder_.check_links(place);
     try {
       crew_.start(Purpose::Schedule, *std::move(job), place, options_.date());
     } catch (const std::runtime_error& error) {
+      if (is_shortage(error)) {
+        plan_.put_back(failed.key, failed.attempt);
+        throw;
+      }
       failed.record.reason = start_problem(error);
       keep(failed);
     }
@@ -180,13 +197,12 @@ class Run {
     return sampling_number(experiment_, key) < std::max(options_.limits.sampled, options_.limits.audited);
   }
 
-  /// A night of two halves by different programs is no experiment.
-  void check_programs() {
-    if (const auto changed = programs_.changed()) {
-      give_up("program " + changed->string() +
-              " was changed while the experiment ran: games with the new one belong to another experiment; "
-              "restore it and start again, or give another --out");
-    }
+  void check_folder() {
+    if (const auto trouble = own_folder_.trouble()) give_up(*trouble);
+  }
+  void check_files() {
+    check_folder();
+    if (const auto changed = programs_.changed()) give_up(sentence(*changed));
   }
 
   /// Whoever told us to end has told the worker too.
@@ -195,7 +211,9 @@ class Run {
   }
 
   void collect() {
-    for (Crew::Ended& ended : crew_.collect()) {
+    std::vector<Crew::Ended> all = crew_.collect();
+    if (!all.empty()) check_files();  // with other ones than ours they may have begun
+    for (Crew::Ended& ended : all) {
       strays_ += ended.strays;
       if (ended.strays > 0) {
         progress_.say(record::game_id(ended.attempt.key) + ": " + processes(ended.strays) +
@@ -206,7 +224,6 @@ class Run {
       } else if (cut_short(ended)) {
         // No row: played again.
       } else {
-        check_programs();  // with the new one the game may have begun
         time_left_.add(ended.seconds);
         keep(ended.attempt);
       }
@@ -214,8 +231,14 @@ class Run {
   }
 
   /// The only place that writes games into the ledger.
-  void keep(const record::Attempt& attempt) {
-    const bool too_many = archive_.add(attempt, is_sampled(attempt.key));
+  void keep(record::Attempt& attempt) {
+    const bool sampled = is_sampled(attempt.key);
+    if (const std::string cut = archive_.cut_down(attempt, sampled); !cut.empty()) {
+      progress_.say(record::game_id(attempt.key) + ": " + cut);
+    }
+    const bool too_many = archive_.add(attempt, sampled);
+    is_shortage(attempt.record) ? lack(record::game_id(attempt.key) + ": " + attempt.record.reason)
+                                : shortage_.over();
     plan_.add(attempt);
     breaker_.add(attempt);
     count(attempt);
@@ -274,20 +297,13 @@ class Run {
       result.signal = *signal;
       return false;
     }
-    std::vector<Pace> paces;
-    for (const PreflightGame& game : games) {
-      paces.push_back(pace_of(game.job.game.config, game.records, game.games));
-      const PreflightFinding finding = judged(game, design_);
-      if (finding.failed) {
-        result.ending = Ending::PreflightFailed;
-        status_.reason = "a short game before the first one failed: " + finding.sentence;
-        progress_.say(status_.reason + "; what the programs printed is in " + folder_.preflight().string());
-        return false;
-      }
-      if (!finding.sentence.empty()) progress_.say(finding.sentence);
-    }
-    if (const std::string slow = slowest_team(design_, paces, crew_.places()); !slow.empty()) {
-      progress_.say(slow);
+    const PreflightVerdict found = verdict(games, design_, crew_.places());
+    for (const std::string& remark : found.remarks) progress_.say(remark);
+    if (!found.failure.empty()) {
+      result.ending = Ending::PreflightFailed;
+      status_.reason = found.failure;
+      progress_.say(status_.reason + "; what the programs printed is in " + folder_.preflight().string());
+      return false;
     }
     process::remove_tree(folder_.preflight());
     return true;
@@ -308,7 +324,9 @@ class Run {
     if (now - house_kept_ < options_.housekeeping) return;
     house_kept_ = now;
     const auto say = [this](const std::string& sentence) { progress_.say(sentence); };
+    check_folder();
     if (const auto problem = storage_.look(now, crew_.running() == 0, say)) give_up(*problem);
+    if (const auto problem = shortage_.too_long(now); problem && crew_.running() == 0) give_up(*problem);
     if (const auto complaint = refresher_.look(now)) progress_.say(*complaint);
     std::vector<pid_t> held = crew_.pids();
     if (refresher_.pid() >= 0) held.push_back(refresher_.pid());
@@ -327,18 +345,14 @@ class Run {
     status_.given_up_pairs = plan_.given_up_pairs();
     status_.distinct = hashes_.size();
     status_.audited = auditor_.done().size();
-    const auto differs = [](const record::Audit& audit) {
-      return audit.verdict != record::Verdict::Same && audit.verdict != record::Verdict::Failed;
-    };
-    status_.audits_that_differ =
-        static_cast<std::size_t>(std::count_if(auditor_.done().begin(), auditor_.done().end(), differs));
+    status_.audits_that_differ = auditor_.differing();
     status_.strays = strays_;
     status_.left = time_left_.estimate(plan_.total() - plan_.resolved(), crew_.places());
     status_.memory = process::resident_memory(::getpid());
     status_.open_files = open_files();
     status_.kept_files = archive_.size();
     status_.running = crew_.games();
-    runner::write_status(folder_.status(), status_);
+    runner::write_status(own_folder_.opened() / folder_.status().filename(), status_);
   }
 
   RunResult finish(RunResult result) {
@@ -357,20 +371,8 @@ class Run {
                     " still there at the end and had to be ended");
     }
     if (!auditor_.done().empty()) progress_.say(audit_summary(auditor_.done()));
-    switch (result.ending) {
-      case Ending::Done:
-        state_ = "done";
-        break;
-      case Ending::PreflightFailed:
-        state_ = "preflight-failed";
-        break;
-      case Ending::TooManyFaults:
-        state_ = "too-many-faults";
-        break;
-      case Ending::Interrupted:
-        state_ = "interrupted";
-        break;
-    }
+    constexpr std::array states = {"done", "preflight-failed", "too-many-faults", "interrupted"};
+    state_ = states.at(static_cast<std::size_t>(result.ending));
     write_status();
     const auto enough = [&] {
       const auto signal = signals_.wait(std::chrono::milliseconds{0});
@@ -380,6 +382,7 @@ class Run {
       return true;
     };
     if (const auto complaint = refresher_.last(enough)) progress_.say(*complaint);
+    check_folder();
     return result;
   }
 
@@ -394,6 +397,8 @@ class Run {
   Breaker breaker_;
   Archive archive_;
   ProgramWatch programs_;
+  FolderWatch own_folder_;
+  Shortage shortage_;
   Signals& signals_;
   Leftovers leftovers_;  ///< goes after the crew, whatever happens
   Crew crew_;
@@ -414,12 +419,7 @@ class Run {
 }  // namespace
 
 RunResult run(const schedule::Design& design, const RunOptions& options, std::ostream& progress) {
-  std::vector<ProgramFile> files = program_files(design);
-  try {
-    files.push_back(program_file(process::find_program(options.worker_command.front())));
-  } catch (const process::StartError& error) {
-    throw std::invalid_argument(start_problem(error));
-  }
+  const std::vector<ProgramFile> files = program_files(design, options.worker_command.front());
   const std::string hash = experiment_hash(design, files, options.protocol);
 
   const ResultFolder folder(options.out);

@@ -37,6 +37,7 @@ struct RunOptions {
 
   // Seldom changed; tests do.
   std::chrono::milliseconds start_up{60'000};     ///< of a worker until it plays
+  std::chrono::milliseconds first_pause{1'000};   ///< before a start that failed for lack of processes
   std::chrono::milliseconds grace{2'000};         ///< between TERM and KILL
   std::chrono::milliseconds housekeeping{1'000};  ///< between two looks at disk, orphans, status
   std::chrono::milliseconds disk_patience{15 *

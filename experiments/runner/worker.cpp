@@ -71,8 +71,11 @@ std::string last_words(const fs::path& folder) {
 
 }  // namespace
 
-WorkerLimits worker_limits(const schedule::Limits& limits) {
+WorkerLimits worker_limits(const schedule::Limits& limits, std::chrono::milliseconds start_up,
+                           std::chrono::milliseconds grace) {
   WorkerLimits result;
+  result.start_up = start_up;
+  result.grace = grace;
   result.silence = milliseconds(limits.silence);
   result.game = milliseconds(limits.game);
   result.output = static_cast<std::size_t>(limits.output) << 20;

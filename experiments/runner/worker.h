@@ -27,8 +27,10 @@ struct WorkerLimits {
   std::size_t output = std::size_t{4} << 20;    ///< [bytes] kept of what the worker prints
 };
 
-/// The same as the design says it.
-WorkerLimits worker_limits(const schedule::Limits& limits);
+/// The same as the design says it; the other two are not the design's.
+WorkerLimits worker_limits(const schedule::Limits& limits,
+                           std::chrono::milliseconds start_up = std::chrono::milliseconds{60'000},
+                           std::chrono::milliseconds grace = std::chrono::milliseconds{2'000});
 
 /// Where and what a worker plays.
 struct Place {

@@ -37,6 +37,11 @@ std::string problem_of(mode_t mode) {
 
 std::string reason() { return std::generic_category().message(errno); }
 
+// With the error's number: a machine without free descriptors is waited for.
+[[noreturn]] void cannot_read(const std::string& name) {
+  throw std::system_error(errno, std::generic_category(), name + ": cannot be read");
+}
+
 }  // namespace
 
 std::string not_regular(const std::filesystem::path& file) {
@@ -47,7 +52,7 @@ std::string not_regular(const std::filesystem::path& file) {
 RegularFile::RegularFile(const std::filesystem::path& file) : name_(file.string()) {
   if (const std::string problem = not_regular(file); !problem.empty()) fail(name_, problem);
   descriptor_ = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-  if (descriptor_ < 0) fail(name_, "cannot be read: " + reason());
+  if (descriptor_ < 0) cannot_read(name_);
   struct stat info {};
   const std::string problem = ::fstat(descriptor_, &info) == 0 ? problem_of(info.st_mode) : reason();
   if (problem.empty()) return;
@@ -67,7 +72,7 @@ std::size_t RegularFile::read(char* data, std::size_t size) {
     if (count > 0) {
       total += static_cast<std::size_t>(count);
     } else if (errno != EINTR) {
-      fail(name_, "cannot be read: " + reason());
+      cannot_read(name_);
     }
   }
   return total;

@@ -77,6 +77,32 @@ TEST_F(EvidenceTest, NamesSizesAndChecksumsOfFiles) {
   EXPECT_THAT(files_in(folder_.path(), place(2)), IsEmpty());
 }
 
+TEST_F(EvidenceTest, CutsDownWhatIsTooLongLongestFilesOfTeamsFirst) {
+  attempt(1, true, 40);
+  fs::create_directories(place(1) / "yellow/deeper");
+  std::ofstream(place(1) / "yellow/deeper/small") << "x";
+  std::ofstream(place(1) / "yellow/long").close();
+  fs::resize_file(place(1) / "yellow/long", std::uintmax_t{1} << 40);  // holes only
+  EXPECT_EQ(cut_down(place(1)),
+            "1 file of 1048576 MiB in its folder was removed: a game keeps at most 2048 MiB");
+  EXPECT_EQ(cut_down(place(1)), "");
+  EXPECT_EQ(files_in(folder_.path(), place(1)).size(), 2U);
+  fs::resize_file(place(1) / "log", std::uintmax_t{3} << 30);
+  EXPECT_EQ(cut_down(place(1)), "1 file of 3072 MiB in its folder was removed: a game keeps at most 2048 MiB")
+      << "one of ours too";
+  EXPECT_TRUE(fs::exists(place(1) / "yellow/deeper/small"));
+}
+
+TEST_F(EvidenceTest, CutsDownTooManyFiles) {
+  attempt(1, true, 40);
+  fs::create_directories(place(1) / "yellow");
+  for (int i = 0; i < 20; ++i) std::ofstream(place(1) / "yellow" / std::to_string(i)) << "x";
+  EXPECT_EQ(cut_down(place(1), {.files = 30}), "");
+  EXPECT_EQ(cut_down(place(1), {.files = 10}),
+            "what the teams wrote was removed: a game keeps at most 10 files");
+  EXPECT_EQ(files_in(folder_.path(), place(1)).size(), 1U);
+}
+
 TEST(SamplingNumber, IsEvenlySpreadAndTheSameInEveryRun) {
   int below = 0;
   for (int pair = 0; pair < 10'000; ++pair) {

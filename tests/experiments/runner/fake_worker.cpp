@@ -14,6 +14,7 @@
 //   differs   another hash whenever teams play live
 //   unstable  another hash always
 //   daemon    leaves a process in a session of its own
+//   sparse    a forfeit, with a file of 1 TiB that has no bytes
 //
 // --fail first: only in the first attempt of pairs whose seed says so, about one game in four.
 #include <signal.h>
@@ -121,7 +122,8 @@ int main(int argc, char** argv) {
     const bool fails =
         behaviour.fail == "always" || (behaviour.fail == "first" && first_attempt && config.seed % 4 == 0);
     record::MatchRecord record = score(config);
-    if (fails && behaviour.how == "forfeit") {
+    const bool sparse = behaviour.how == "sparse";
+    if (fails && (behaviour.how == "forfeit" || sparse)) {
       record.termination = record::Termination::Crashed;
       record.at_fault = record::Party::Yellow;
       record.reason = "yellow fell over";
@@ -137,8 +139,15 @@ int main(int argc, char** argv) {
     if (config.continuation && behaviour.how != "unstable") {
       std::ifstream(config.continuation->recording) >> record.hash;
     }
+    if (fails && sparse) {
+      const std::filesystem::path folder = behaviour.job.parent_path() / "yellow";
+      std::filesystem::create_directories(folder);
+      std::ofstream(folder / "long").close();
+      std::filesystem::resize_file(folder / "long", std::uintmax_t{1} << 40);
+    }
     if (behaviour.how == "daemon") start_daemon();
-    if (fails && behaviour.how != "forfeit" && behaviour.how != "interrupted") misbehave(behaviour, progress);
+    if (fails && !sparse && behaviour.how != "forfeit" && behaviour.how != "interrupted")
+      misbehave(behaviour, progress);
     return record;
   });
 }

@@ -440,6 +440,19 @@ TEST_F(Night, AFileThatMayNotGrowEndsTheRunWithASentence) {
   EXPECT_EQ(table("a"), expected());
 }
 
+TEST_F(Night, AFileOfATeamThatIsLongerThanAnyDiskIsRemovedAndSaid) {
+  EXPECT_EQ(play(options("a", {"--fail", "first", "--how", "sparse"})),
+            Ending::Done);  // or the test takes hours
+  EXPECT_THAT(said_,
+              HasSubstr(": 1 file of 1048576 MiB in its folder was removed: a game keeps at most 2048 MiB"));
+  const auto attempts = table("a");
+  const auto faulty = std::find_if(attempts.begin(), attempts.end(), [](const auto& one) {
+    return one.record.at_fault == record::Party::Yellow;
+  });
+  ASSERT_NE(faulty, attempts.end());
+  EXPECT_THAT(faulty->record.reason, AllOf(HasSubstr("yellow fell over; 1 file of 1048576 MiB")));
+}
+
 // --- the ledger ----------------------------------------------------------------------------------
 
 TEST_F(Night, ADamagedLedgerIsRefusedAndNotTouched) {
