@@ -6,6 +6,7 @@
 
 #include "experiments/record/ledger_connection.h"
 #include "experiments/record/ledger_rows.h"
+#include "experiments/record/ledger_shape.h"
 #include "experiments/record/ledger_tables.h"
 
 namespace record {
@@ -49,9 +50,49 @@ std::int64_t old_rows(SQLite::Database& database, const Pairs& pairs, const char
   return kind_of(database).version < 3 ? any_number : number_in(pairs, key);
 }
 
-std::string rows_missing(std::int64_t found, std::int64_t written) {
-  return "the ledger is damaged: it holds " + std::to_string(found) + " attempts, " +
-         std::to_string(written) + " were written";
+/// What is wrong with the number of rows in a table; empty: nothing, or an older ledger does not tell it.
+std::string rows_missing(const Pairs& pairs, int version, const std::string& table, std::int64_t found) {
+  if (version < (table == attempts_key ? 3 : 4)) return {};
+  const std::int64_t written = number_in(pairs, table.c_str());
+  if (found == written) return {};
+  return "the ledger is damaged: it holds " + std::to_string(found) +
+         (table == files_key ? " rows of files" : " " + table) + ", " + std::to_string(written) +
+         " were written";
+}
+
+void check_number(Ledger::Connection& connection, const Pairs& pairs, const char* table, std::size_t found) {
+  const std::string problem =
+      rows_missing(pairs, kind_of(connection.database).version, table, static_cast<std::int64_t>(found));
+  if (!problem.empty()) throw StorageError(connection.file + ": " + problem);
+}
+
+std::int64_t rows_in(SQLite::Database& database, const char* table) {
+  return database.execAndGet("SELECT count(*) FROM " + std::string(table)).getInt64();
+}
+
+/// One transaction in which audits and files may come and go; the table `experiment` counts them.
+///
+/// @param also  what else is to be changed there
+template <class Change, class Also>
+void change_rows(SQLite::Database& database, Change change, Also also) {
+  Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  Pairs pairs = read_experiment(database);
+  // By their difference: rows that were missing before stay missing.
+  const auto count = [&](std::int64_t sign) {
+    for (const char* table : {audits_key, files_key})
+      pairs[table] = std::to_string(number_in(pairs, table) + sign * rows_in(database, table));
+  };
+  count(-1);
+  change();
+  count(1);
+  also(pairs);
+  write_experiment(database, std::move(pairs));
+  transaction.commit();
+}
+
+template <class Change>
+void change_rows(SQLite::Database& database, Change change) {
+  change_rows(database, change, [](Pairs&) {});
 }
 
 }  // namespace
@@ -69,12 +110,16 @@ Ledger Ledger::open(const std::filesystem::path& path, const Experiment& experim
     if (database.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0) {
       Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
       create_tables(database);
-      write_experiment(database,
-                       {{hash_key, experiment.hash}, {design_key, experiment.design}, {attempts_key, "0"}});
+      write_experiment(database, {{hash_key, experiment.hash},
+                                  {design_key, experiment.design},
+                                  {attempts_key, "0"},
+                                  {audits_key, "0"},
+                                  {files_key, "0"}});
       transaction.commit();
     }
     const Kind kind = kind_of(database);
     check_kind(kind, connection->file);
+    check_shape(database, kind.version, connection->file);
     check_health(database, connection->file);
     Ledger ledger(std::move(connection));
     const std::string found = ledger.experiment().hash;
@@ -99,15 +144,15 @@ void Ledger::grow(const std::filesystem::path& path, const std::string& before, 
   const Ledger ledger = open(path, {before, larger.design}, journal);
   guarded(path.string(), [&] {
     SQLite::Database& database = ledger.connection_->database;
-    Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-    Pairs pairs = read_experiment(database);
-    pairs[hash_key] = larger.hash;
-    pairs[design_key] = larger.design;
-    write_experiment(database, std::move(pairs));
-    SQLite::Statement remove(database, "DELETE FROM files WHERE path = ?");
-    remove.bind(1, forgotten);
-    remove.exec();
-    transaction.commit();
+    const auto forget = [&] {
+      SQLite::Statement remove(database, "DELETE FROM files WHERE path = ?");
+      remove.bind(1, forgotten);
+      remove.exec();
+    };
+    change_rows(database, forget, [&](Pairs& pairs) {
+      pairs[hash_key] = larger.hash;
+      pairs[design_key] = larger.design;
+    });
   });
 }
 
@@ -121,7 +166,9 @@ Ledger Ledger::read(const std::filesystem::path& path) {
     if (connection->database.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0) {
       throw StorageError(path.string() + ": the ledger is still empty; start the run again");
     }
-    check_kind(kind_of(connection->database), connection->file);
+    const Kind kind = kind_of(connection->database);
+    check_kind(kind, connection->file);
+    check_shape(connection->database, kind.version, connection->file);
     check_health(connection->database, connection->file);
     return Ledger(std::move(connection));
   });
@@ -130,32 +177,38 @@ Ledger Ledger::read(const std::filesystem::path& path) {
 void Ledger::add(const Attempt& attempt, std::span<const KeptFile> files) {
   guarded(connection_->file, [&] {
     SQLite::Database& database = connection_->database;
-    Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-    write_row(database, "INSERT", "attempts", row_of(attempt));
-    for (const KeptFile& file : files) write_row(database, "INSERT OR REPLACE", "files", row_of(file));
-    Pairs pairs = read_experiment(database);
-    pairs[attempts_key] = std::to_string(number_in(pairs, attempts_key) + 1);
-    write_experiment(database, std::move(pairs));
-    transaction.commit();
+    const auto write = [&] {
+      write_row(database, "INSERT", "attempts", row_of(attempt));
+      for (const KeptFile& file : files) write_row(database, "INSERT OR REPLACE", "files", row_of(file));
+    };
+    change_rows(database, write, [](Pairs& pairs) {
+      pairs[attempts_key] = std::to_string(number_in(pairs, attempts_key) + 1);
+    });
   });
 }
 
 void Ledger::add(const Audit& audit) {
-  guarded(connection_->file,
-          [&] { write_row(connection_->database, "INSERT OR REPLACE", "audits", row_of(audit)); });
+  guarded(connection_->file, [&] {
+    SQLite::Database& database = connection_->database;
+    change_rows(database, [&] { write_row(database, "INSERT OR REPLACE", "audits", row_of(audit)); });
+  });
 }
 
 void Ledger::add(const KeptFile& file) {
-  guarded(connection_->file,
-          [&] { write_row(connection_->database, "INSERT OR REPLACE", "files", row_of(file)); });
+  guarded(connection_->file, [&] {
+    SQLite::Database& database = connection_->database;
+    change_rows(database, [&] { write_row(database, "INSERT OR REPLACE", "files", row_of(file)); });
+  });
 }
 
 void Ledger::forget_files(const std::string& folder) {
   guarded(connection_->file, [&] {
-    SQLite::Statement remove(connection_->database,
-                             "DELETE FROM files WHERE substr(path, 1, length(?1)) = ?1");
-    remove.bind(1, folder + "/");
-    remove.exec();
+    SQLite::Database& database = connection_->database;
+    change_rows(database, [&] {
+      SQLite::Statement remove(database, "DELETE FROM files WHERE substr(path, 1, length(?1)) = ?1");
+      remove.bind(1, folder + "/");
+      remove.exec();
+    });
   });
 }
 
@@ -167,10 +220,7 @@ std::vector<Attempt> Ledger::attempts(Detail detail) const {
     std::vector<Attempt> attempts = all_rows(database, connection_->file, "attempts", attempt_order,
                                              old_rows(database, pairs, old_attempts_key),
                                              [&](const Row& row) { return attempt_of(row, detail); });
-    const auto found = static_cast<std::int64_t>(attempts.size());
-    if (kind_of(database).version >= 3 && found != number_in(pairs, attempts_key)) {
-      throw StorageError(connection_->file + ": " + rows_missing(found, number_in(pairs, attempts_key)));
-    }
+    check_number(*connection_, pairs, attempts_key, attempts.size());
     return attempts;
   });
 }
@@ -181,15 +231,22 @@ std::vector<Audit> Ledger::audits() const {
     if (!database.tableExists("audits")) return std::vector<Audit>{};
     Transaction snapshot(database);
     const Pairs pairs = checked_experiment(*connection_);
-    return all_rows(database, connection_->file, "audits", attempt_order,
-                    old_rows(database, pairs, old_audits_key), audit_of);
+    std::vector<Audit> audits = all_rows(database, connection_->file, "audits", attempt_order,
+                                         old_rows(database, pairs, old_audits_key), audit_of);
+    check_number(*connection_, pairs, audits_key, audits.size());
+    return audits;
   });
 }
 
 std::vector<KeptFile> Ledger::files() const {
   return guarded(connection_->file, [&] {
-    if (!connection_->database.tableExists("files")) return std::vector<KeptFile>{};
-    return all_rows(connection_->database, connection_->file, "files", "path", 0, file_of);
+    SQLite::Database& database = connection_->database;
+    if (!database.tableExists("files")) return std::vector<KeptFile>{};
+    Transaction snapshot(database);
+    const Pairs pairs = checked_experiment(*connection_);
+    std::vector<KeptFile> files = all_rows(database, connection_->file, "files", "path", 0, file_of);
+    check_number(*connection_, pairs, files_key, files.size());
+    return files;
   });
 }
 
@@ -214,11 +271,13 @@ LedgerCheck Ledger::check() const {
     Transaction snapshot(database);
     const int kind = kind_of(database).version;
     const Pairs pairs = read_experiment(database);
+    const RowState state = state_of(pairs, kind);
+    const bool known = state == RowState::Whole;
     LedgerCheck check;
     const auto look = [&](const char* table, const char* order, std::int64_t old, RowCheck& rows,
                           const auto& read) {
       std::int64_t found = 0;
-      if (!database.tableExists(table)) return found;
+      if (!database.tableExists(table)) return;
       RowReader reader(database, table, order);
       for (; reader.next(); ++found) {
         const std::string place = place_of(reader.row(), table);
@@ -238,27 +297,25 @@ LedgerCheck Ledger::check() const {
         rows.damaged.push_back(std::to_string(rows.unknown - old) + " rows of table " + table +
                                " have lost their checksum");
       }
-      return found;
+      // Without its own table the rest is compared as far as it goes.
+      const std::string missing = known ? rows_missing(pairs, kind, table, found) : "";
+      if (!missing.empty()) rows.damaged.push_back(missing);
     };
-    const RowState state = state_of(pairs, kind);
     if (state == RowState::Whole) check.experiment.whole = 1;
     if (state == RowState::Unknown) check.experiment.unknown = 1;
     if (state == RowState::Damaged) {
       check.experiment.damaged.push_back("the table experiment " + std::string(not_as_written));
+    } else if (const std::string problem = problem_of_hash(pairs); !problem.empty()) {
+      check.experiment.damaged.push_back(problem);
     }
-    // Without its own table the rest is compared as far as it goes.
-    const bool known = state == RowState::Whole;
     const auto old = [&](const char* key) { return known ? number_in(pairs, key) : any_number; };
-    const std::int64_t found = look(
-        "attempts", attempt_order, old(old_attempts_key), check.attempts,
-        [&](const Row& row) { check.readable_attempts.push_back(attempt_of(row, Detail::WithoutTimeline)); });
+    look("attempts", attempt_order, old(old_attempts_key), check.attempts, [&](const Row& row) {
+      check.readable_attempts.push_back(attempt_of(row, Detail::WithoutTimeline));
+    });
     look("audits", attempt_order, old(old_audits_key), check.audits,
          [&](const Row& row) { check.readable_audits.push_back(audit_of(row)); });
     look("files", "path", 0, check.files,
          [&](const Row& row) { check.readable_files.push_back(file_of(row)); });
-    if (known && found != number_in(pairs, attempts_key)) {
-      check.attempts.damaged.push_back(rows_missing(found, number_in(pairs, attempts_key)));
-    }
     return check;
   });
 }

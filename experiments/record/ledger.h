@@ -73,9 +73,9 @@ struct LedgerCheck {
 /// may read meanwhile.
 class Ledger {
  public:
-  /// `PRAGMA user_version`. 1: without match statistics; 2: without checksums and the table `files`. Both are
-  /// read as they are, and brought up to date when opened for writing.
-  static constexpr int schema = 3;
+  /// `PRAGMA user_version`. 1: without match statistics; 2: without checksums and the table `files`; 3: without
+  /// the numbers of audits and files. All are read as they are, and brought up to date when opened for writing.
+  static constexpr int schema = 4;
 
   /// Opens the ledger for writing; a file that does not exist is created for that experiment.
   ///

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <fstream>
 
+#include "experiments/record/ledger_shape.h"
 #include "experiments/record/ledger_tables.h"
 #include "sim/files/regular_file.h"
 
@@ -43,7 +44,10 @@ std::string immutable(const fs::path& file) {
 }
 
 /// Asks for something that needs the whole way to the file: locks, and what a killed writer left.
-void touch(SQLite::Database& database) { database.execAndGet("SELECT count(*) FROM sqlite_master"); }
+void touch(SQLite::Database& database) {
+  distrust(database);
+  database.execAndGet("SELECT count(*) FROM sqlite_master");
+}
 
 /// The header says which journal belongs to the file.
 bool is_write_ahead(const fs::path& file) {
@@ -104,6 +108,7 @@ Connection connect_for_writing(const fs::path& file) {
   Connection connection(new Ledger::Connection{
       file.string(), nullptr,
       SQLite::Database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, writer_patience_ms)});
+  distrust(connection->database);
   connection->database.exec("PRAGMA synchronous = FULL");
   return connection;
 }
@@ -169,6 +174,9 @@ Pairs checked_experiment(Ledger::Connection& connection) {
   if (state_of(pairs, kind_of(connection.database).version) == RowState::Damaged) {
     throw StorageError(connection.file +
                        ": the ledger is damaged: the table experiment is not what its checksum was made of");
+  }
+  if (const std::string problem = problem_of_hash(pairs); !problem.empty()) {
+    throw StorageError(connection.file + ": the ledger is damaged: " + problem);
   }
   return pairs;
 }

@@ -242,8 +242,18 @@ void write_experiment(SQLite::Database& database, Pairs pairs) {
   }
 }
 
+std::string problem_of_hash(const Pairs& pairs) {
+  const auto found = pairs.find(hash_key);
+  const std::string hash = found == pairs.end() ? "" : found->second;
+  constexpr std::size_t digits = 32;
+  if (hash.size() == digits && hash.find_first_not_of("0123456789abcdef") == std::string::npos) return {};
+  constexpr std::size_t shown = 60;
+  return "the experiment's hash must be 32 hexadecimal digits, not '" + hash.substr(0, shown) + "'";
+}
+
 RowState state_of(const Pairs& pairs, int version) {
-  if (version < 3) return RowState::Unknown;
+  if (version < 4 && (pairs.contains(audits_key) || pairs.contains(files_key))) return RowState::Damaged;
+  if (version < 3) return pairs.contains(checksum_key) ? RowState::Damaged : RowState::Unknown;
   const auto found = pairs.find(checksum_key);
   return found != pairs.end() && found->second == digest(pairs) ? RowState::Whole : RowState::Damaged;
 }

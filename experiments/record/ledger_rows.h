@@ -63,7 +63,9 @@ using Pairs = std::map<std::string, std::string>;
 Pairs read_experiment(SQLite::Database& database);
 /// Writes all of it, with its checksum.
 void write_experiment(SQLite::Database& database, Pairs pairs);
-/// Whether its checksum is that of its contents; of an older schema it has none.
+/// Why the experiment's hash there is none; empty: it is one.
+std::string problem_of_hash(const Pairs& pairs);
+/// Whether its checksum is that of its contents; of an older schema it has none, nor any key of a newer one.
 RowState state_of(const Pairs& pairs, int version);
 /// A number there, 0 when there is none.
 /// @throws std::invalid_argument when it is no number

@@ -141,6 +141,12 @@ void upgrade_tables(SQLite::Database& database, int version) {
                   count("attempts") + "), ('" + old_attempts_key + "', " + count("attempts") + "), ('" +
                   old_audits_key + "', " + count("audits") + ")");
   }
+  if (version < 4) {
+    const auto pair = [](const char* table) {
+      return "('" + std::string(table) + "', (SELECT CAST(count(*) AS TEXT) FROM " + table + "))";
+    };
+    database.exec("INSERT OR REPLACE INTO experiment VALUES " + pair(audits_key) + ", " + pair(files_key));
+  }
   set_version(database);
 }
 

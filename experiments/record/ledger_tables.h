@@ -30,6 +30,8 @@ void upgrade_tables(SQLite::Database& database, int version);
 inline constexpr const char* hash_key = "hash";
 inline constexpr const char* design_key = "design";
 inline constexpr const char* attempts_key = "attempts";  ///< how many rows were ever written
+inline constexpr const char* audits_key = "audits";      ///< how many rows the table of that name has
+inline constexpr const char* files_key = "files";        ///< the same
 inline constexpr const char* old_attempts_key = "attempts_without_checksum";
 inline constexpr const char* old_audits_key = "audits_without_checksum";
 inline constexpr const char* checksum_key = "checksum";  ///< of all others, by key

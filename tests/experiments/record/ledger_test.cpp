@@ -154,7 +154,7 @@ TEST_F(LedgerTest, RefusesANewerSchemaNamingBothNumbers) {
   SQLite::Database(file().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
   for (const std::string& message : {complaint([&] { open(); }), complaint([&] { Ledger::read(file()); })}) {
     EXPECT_THAT(message, HasSubstr("schema 7"));
-    EXPECT_THAT(message, HasSubstr("only up to 3"));
+    EXPECT_THAT(message, HasSubstr("only up to 4"));
   }
 }
 

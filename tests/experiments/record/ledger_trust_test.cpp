@@ -128,7 +128,76 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"UPDATE files SET size = 6", "the row of file games/equal-0001-1/1/worker.log is damaged"},
         Change{"UPDATE experiment SET value = value || ' ' WHERE key = 'design'", "table experiment"},
         Change{"UPDATE experiment SET value = '5' WHERE key = 'attempts'", "table experiment"},
-        Change{"DELETE FROM experiment WHERE key = 'checksum'", "table experiment"}));
+        Change{"DELETE FROM experiment WHERE key = 'checksum'", "table experiment"},
+        Change{"DELETE FROM audits", "it holds 0 audits, 1 were written"},
+        Change{"DELETE FROM files", "it holds 0 rows of files, 1 were written"},
+        Change{"PRAGMA user_version = 1", "table experiment"},
+        Change{"PRAGMA user_version = 3", "table experiment"}));
+
+// What a ledger is made of besides its rows, looked at before any of them is read.
+class LedgerShape : public LedgerChange {};
+
+TEST_P(LedgerShape, OfAnotherFormIsDamageForReadersAndWriters) {
+  exec(GetParam().sql);
+  EXPECT_THAT(complaint(),
+              testing::AllOf(HasSubstr("the ledger is damaged: "), HasSubstr(GetParam().sentence)));
+  EXPECT_THROW(open(), StorageError);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, LedgerShape,
+    testing::Values(
+        Change{"ALTER TABLE experiment RENAME TO e; CREATE VIEW experiment AS WITH RECURSIVE r(n) AS (SELECT "
+               "1 UNION "
+               "ALL SELECT n + 1 FROM r) SELECT CAST(n AS TEXT) AS key, '' AS value FROM r; DROP TABLE e",
+               "experiment must be a table with rows of its own"},
+        Change{"ALTER TABLE attempts RENAME TO e; CREATE VIEW attempts AS SELECT * FROM e",
+               "attempts must be a table"},
+        Change{"DROP TABLE audits; CREATE VIRTUAL TABLE audits USING rtree(id, a, b)",
+               "audits must be a table"},
+        Change{"CREATE TRIGGER t AFTER INSERT ON attempts BEGIN DELETE FROM attempts; END",
+               "it holds the trigger t, which no ledger has"},
+        Change{"CREATE VIEW v AS SELECT 1", "it holds the view v"},
+        Change{"CREATE INDEX i ON attempts(length(record))", "it holds the index i"},
+        Change{"CREATE TABLE more (x)", "it holds the table more"},
+        Change{"DROP VIEW games; CREATE VIEW games AS SELECT * FROM attempts", "the view games was changed"},
+        Change{"DROP VIEW games", "the view games is missing"},
+        Change{"DROP TABLE audits", "the table audits is missing"},
+        Change{"DROP TABLE files", "the table files is missing"},
+        Change{"ALTER TABLE attempts ADD COLUMN more TEXT", "the columns of table attempts"},
+        Change{"DROP TABLE audits; CREATE TABLE audits (condition TEXT, pair INTEGER, leg INTEGER, attempt "
+               "INTEGER, "
+               "verdict TEXT, hash TEXT, reason TEXT, checksum TEXT AS (hex(zeroblob(9))))",
+               "the columns of table audits"},
+        Change{"PRAGMA user_version = -1", "its schema is -1"}));
+
+TEST_F(LedgerTrust, RefusesAHashThatIsNone) {
+  const std::string text = "\x1b[2J<b>";
+  Ledger::grow(file(), experiment_.hash, {text, experiment_.design});
+  EXPECT_THAT(complaint(), HasSubstr("the experiment's hash must be 32 hexadecimal digits, not '" + text));
+  EXPECT_EQ(damaged(Ledger::read(file()).check()), 1U);
+}
+
+TEST_F(LedgerTrust, CountsAuditsAndFilesThroughTheirLife) {
+  {
+    Ledger ledger = open();
+    ledger.add(Audit{{"equal", 1, 0}, 1, Verdict::Same, "abc", "again"});
+    ledger.add(Audit{{"equal", 0, 0}, 1, Verdict::Same, "abc", ""});
+    ledger.forget_files("games/equal-0001-1/1");
+  }
+  const LedgerCheck check = Ledger::read(file()).check();
+  EXPECT_EQ(check.audits.whole, 2);
+  EXPECT_EQ(check.files.whole, 0);
+  EXPECT_EQ(damaged(check), 0U);
+  EXPECT_EQ(complaint(), "nothing thrown");
+}
+
+// Rows that are gone when somebody goes on writing are not forgotten.
+TEST_F(LedgerTrust, MissingRowsStayMissingWhenMoreAreWritten) {
+  exec("DELETE FROM audits");
+  open().add(Audit{{"equal", 0, 0}, 1, Verdict::Same, "abc", ""});
+  EXPECT_THAT(complaint(), HasSubstr("it holds 1 audits, 2 were written"));
+}
 
 // Bits of the file flipped at random, as a disk or a cable does it. A bit may be one of no meaning: of an
 // unused part of a page, of a column's name. Then what is read must be what was written.
