@@ -15,7 +15,7 @@ std::string checksum(std::string_view bytes);
 /// XXH3-128 of a file's bytes.
 ///
 /// @param most  [bytes] that are read, for files of others: one with holes costs nothing to make
-/// @throws std::runtime_error naming the file when it cannot be read or has more
+/// @throws std::runtime_error naming the file when it cannot be read, is no regular file or has more
 std::string checksum_of_file(const std::filesystem::path& file,
                              std::int64_t most = std::numeric_limits<std::int64_t>::max());
 

@@ -17,6 +17,7 @@ bool Archive::add(const record::Attempt& attempt, bool sampled) {
                   [this, game, number = attempt.attempt] { folder_.forget_game(game, number); });
     return false;
   }
+  remove_odd(folder_.game(game, attempt.attempt));
   writer_.write([attempt, files = files_in(folder_.path(), folder_.game(game, attempt.attempt))](
                     record::Ledger& ledger) { ledger.add(attempt, files); });
   const std::vector<Evidence::Place> gone = evidence_.add(attempt);

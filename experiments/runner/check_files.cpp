@@ -1,6 +1,6 @@
 #include "experiments/runner/check_files.h"
 
-#include <map>
+#include <algorithm>
 #include <set>
 
 #include "experiments/record/checksum.h"
@@ -22,6 +22,20 @@ std::string place_of(const fs::path& file) {
   return place.generic_string();
 }
 
+/// A name in the ledger that leads out of the result folder.
+bool leaves(const fs::path& file) {
+  return file.empty() || file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end();
+}
+
+/// What stands where a file was written, or is missing there; empty: a file.
+std::string no_file(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::symlink_status(path, ignored);
+  if (fs::is_symlink(status)) return " is a link, a file was written";
+  if (!fs::is_regular_file(status)) return fs::exists(status) ? " is no file any more" : " is missing";
+  return {};
+}
+
 }  // namespace
 
 FileCheck check_files(const fs::path& root, std::span<const record::KeptFile> known,
@@ -32,12 +46,14 @@ FileCheck check_files(const fs::path& root, std::span<const record::KeptFile> kn
   for (const record::KeptFile& file : known) {
     named.insert(file.path);
     kept_places.insert(place_of(file.path));
-    std::error_code error;
-    const auto size = fs::file_size(root / file.path, error);
-    if (error) {
-      check.problems.push_back(file.path + " is missing");
+    const std::string other =
+        leaves(file.path) ? " is a name outside of the folder" : no_file(root / file.path);
+    if (!other.empty()) {
+      check.problems.push_back(file.path + other);
       continue;
     }
+    std::error_code error;
+    const auto size = fs::file_size(root / file.path, error);
     try {
       if (static_cast<std::int64_t>(size) != file.size) {
         check.problems.push_back(file.path + " has " + std::to_string(size) + " bytes, it was written with " +
@@ -59,7 +75,8 @@ FileCheck check_files(const fs::path& root, std::span<const record::KeptFile> kn
   for (fs::recursive_directory_iterator entry(root / "games", error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code ignored;
-    if (!entry->is_regular_file(ignored)) continue;
+    const fs::file_type kind = entry->symlink_status(ignored).type();
+    if (kind == fs::file_type::directory) continue;
     const std::string path = entry->path().lexically_relative(root).generic_string();
     if (named.contains(path)) continue;
     const std::string place = place_of(path);

@@ -104,6 +104,18 @@ std::string cut_down(const fs::path& folder, const KeptLimits& limits) {
          std::to_string(limits.bytes >> 20) + " MiB";
 }
 
+void remove_odd(const fs::path& folder) {
+  std::vector<fs::path> odd;
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code ignored;
+    const fs::file_type kind = entry->symlink_status(ignored).type();
+    if (kind != fs::file_type::regular && kind != fs::file_type::directory) odd.push_back(entry->path());
+  }
+  for (const fs::path& path : odd) fs::remove(path, error);
+}
+
 std::vector<record::KeptFile> files_in(const fs::path& root, const fs::path& folder) {
   std::vector<record::KeptFile> files;
   std::error_code error;

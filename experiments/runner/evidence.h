@@ -15,6 +15,9 @@ namespace runner {
 /// A number in [0, 1) for each game of an experiment, the same in every run: who is below a share is sampled.
 double sampling_number(const std::string& experiment_hash, const record::GameKey& key);
 
+/// Removes what a team left in an attempt's folder that is neither a file nor a folder: links, pipes, sockets.
+void remove_odd(const std::filesystem::path& folder);
+
 /// The most that is kept of one attempt: by length, since a file with holes has one that costs its maker nothing
 /// and takes whoever reads it hours. Ours: what two teams may write; 2 GiB are read in a second.
 struct KeptLimits {

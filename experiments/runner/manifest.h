@@ -32,6 +32,9 @@ void write_manifest(const std::filesystem::path& file, const Manifest& manifest)
 struct Origin {
   std::string experiment_hash;
   std::string identity;  ///< the hash made again from its design, protocol and files
+  std::string design;    ///< as it was hashed: schedule::canonical
+  std::string protocol;
+  int ledger_schema = 0;  ///< that the ledger began with
   std::vector<ProgramFile> files;
   std::string matchday;
   std::string commit;
@@ -40,6 +43,10 @@ struct Origin {
 
 /// The level in a sentence about isolation: "network" of "isolation network, as asked for".
 std::string level_of(const std::string& isolation);
+
+/// Gives the teams of `design` that come from git the commits of the manifest's, so that the two can be
+/// compared; where there are none the design stays as it is.
+void take_commits(const Origin& origin, schedule::Design& design);
 
 /// @throws record::StorageError when it cannot be read or is none
 Origin read_manifest(const std::filesystem::path& file);

@@ -38,7 +38,6 @@ Origin read_manifest(const std::filesystem::path& file) {
     throw record::StorageError(error.what());
   }
   Origin origin;
-  std::string protocol;
   try {
     const auto json = nlohmann::json::parse(text, [](int depth, auto, auto&) {
       if (depth > 64) throw std::invalid_argument("nested too deep");
@@ -47,7 +46,8 @@ Origin read_manifest(const std::filesystem::path& file) {
     json.at("experiment_hash").get_to(origin.experiment_hash);
     json.at("matchday").get_to(origin.matchday);
     json.at("commit").get_to(origin.commit);
-    json.at("protocol").get_to(protocol);
+    json.at("protocol").get_to(origin.protocol);
+    if (json.contains("ledger_schema")) json.at("ledger_schema").get_to(origin.ledger_schema);
     if (json.contains("isolation")) json.at("isolation").get_to(origin.isolation);
     for (const auto& one : json.at("files")) {
       origin.files.push_back({one.at("path").get<std::string>(), one.at("xxh3_128").get<std::string>()});
@@ -55,13 +55,24 @@ Origin read_manifest(const std::filesystem::path& file) {
   } catch (const std::exception& error) {
     throw record::StorageError(file.string() + ": is damaged: " + error.what());
   }
-  std::vector<std::string> hashes;
-  for (const ProgramFile& one : origin.files) hashes.push_back(one.hash);
-  std::sort(hashes.begin(), hashes.end());
-  std::string all = design_line(text) + "\n" + protocol + "\n";
-  for (const std::string& hash : hashes) all += hash + "\n";
-  origin.identity = hash_of(all);
+  origin.design = design_line(text);
+  origin.identity = experiment_hash(origin.design, origin.files, origin.protocol);
   return origin;
+}
+
+void take_commits(const Origin& origin, schedule::Design& design) {
+  const auto json = nlohmann::json::parse(origin.design, nullptr, false);
+  const auto take = [&](std::size_t index, const char* team, std::optional<schedule::Source>& source) {
+    if (!source) return;
+    try {
+      json.at("conditions").at(index).at(team).at("revision").get_to(source->commit);
+    } catch (const nlohmann::json::exception&) {  // it has another design, which the comparison will tell
+    }
+  };
+  for (std::size_t i = 0; i < design.conditions.size(); ++i) {
+    take(i, "a", design.conditions[i].a_source);
+    take(i, "b", design.conditions[i].b_source);
+  }
 }
 
 }  // namespace runner

@@ -79,10 +79,15 @@ std::vector<ProgramFile> program_files(const schedule::Design& design, const std
 
 std::string experiment_hash(const schedule::Design& design, const std::vector<ProgramFile>& files,
                             const std::string& protocol) {
+  return experiment_hash(schedule::canonical(design), files, protocol);
+}
+
+std::string experiment_hash(const std::string& design, const std::vector<ProgramFile>& files,
+                            const std::string& protocol) {
   std::vector<std::string> hashes;
   for (const ProgramFile& file : files) hashes.push_back(file.hash);
   std::sort(hashes.begin(), hashes.end());
-  std::string all = schedule::canonical(design) + "\n" + protocol + "\n";
+  std::string all = design + "\n" + protocol + "\n";
   for (const std::string& hash : hashes) all += hash + "\n";
   return hash_of(all);
 }

@@ -45,5 +45,8 @@ std::string hash_of(const std::string& text);
 /// team. Paths do not count.
 std::string experiment_hash(const schedule::Design& design, const std::vector<ProgramFile>& files,
                             const std::string& protocol);
+/// The same of a design that is canonical already.
+std::string experiment_hash(const std::string& design, const std::vector<ProgramFile>& files,
+                            const std::string& protocol);
 
 }  // namespace runner

@@ -1,6 +1,7 @@
 #include "experiments/schedule/schedule.h"
 
 #include <cassert>
+#include <charconv>
 #include <stdexcept>
 
 #include "sim/world/random.h"
@@ -34,10 +35,24 @@ Game game(const Design& design, std::size_t index) {
   return game;
 }
 
+std::optional<Game> game_of(const Design& design, const record::GameKey& key) {
+  if (key.pair < 0 || key.pair >= design.pairs || key.leg < 0 || key.leg > 1) return std::nullopt;
+  for (std::size_t i = 0; i < design.conditions.size(); ++i) {
+    if (design.conditions[i].name != key.condition) continue;
+    const std::size_t pairs = static_cast<std::size_t>(key.pair) * design.conditions.size() + i;
+    return game(design, 2 * pairs + static_cast<std::size_t>(key.leg));
+  }
+  return std::nullopt;
+}
+
 Game find_game(const Design& design, const std::string& id) {
-  for (std::size_t index = 0; index < game_count(design); ++index) {
-    Game candidate = game(design, index);
-    if (record::game_id(candidate.key) == id) return candidate;
+  for (const Condition& condition : design.conditions) {
+    const std::string start = condition.name + "-";
+    if (!id.starts_with(start) || id.size() < start.size() + 3) continue;
+    record::GameKey key{condition.name, 0, id.back() - '0'};
+    std::from_chars(id.data() + start.size(), id.data() + id.size(), key.pair);
+    const auto found = game_of(design, key);
+    if (found && record::game_id(found->key) == id) return *found;
   }
   throw std::invalid_argument("design '" + design.name + "' has no game '" + id +
                               "'; games are named like '" + record::game_id(game(design, 0).key) + "'");

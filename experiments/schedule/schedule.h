@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "experiments/record/attempt.h"
 #include "experiments/record/match_config.h"
@@ -33,6 +34,9 @@ std::size_t game_count(const Design& design);
 ///
 /// @pre index < game_count(design)
 Game game(const Design& design, std::size_t index);
+
+/// The game in that place; nothing when the design has no such condition, pair or leg.
+std::optional<Game> game_of(const Design& design, const record::GameKey& key);
 
 /// The game of that name.
 ///

@@ -12,6 +12,7 @@ namespace runner {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -52,6 +53,24 @@ TEST_F(CheckFiles, MissingChangedAndAddedOnesAreTold) {
   std::ofstream(place(0) / "game.replies", std::ios::app) << "x";
   EXPECT_THAT(check().problems, ElementsAre(HasSubstr("game.replies has 23 bytes, it was written with 22"),
                                             HasSubstr("worker.log is missing"), HasSubstr("more was added")));
+}
+
+TEST_F(CheckFiles, LinksAreNoFilesOfAGame) {
+  fs::rename(place(0) / "worker.log", root() / "elsewhere");
+  fs::create_symlink(root() / "elsewhere", place(0) / "worker.log");
+  fs::create_symlink("nothing", place(0) / "more");
+  EXPECT_THAT(check().problems, ElementsAre(HasSubstr("worker.log is a link, a file was written"),
+                                            HasSubstr("more was added")));
+  fs::remove(place(0) / "worker.log");
+  fs::create_directory(place(0) / "worker.log");
+  EXPECT_THAT(check().problems, Contains(HasSubstr("worker.log is no file any more")));
+}
+
+TEST_F(CheckFiles, NamesThatLeadOutOfTheFolderAreTold) {
+  known_.push_back({"/etc/passwd", 1, "x"});
+  known_.push_back({"games/../../x", 1, "x"});
+  EXPECT_THAT(check().problems, ElementsAre("/etc/passwd is a name outside of the folder",
+                                            "games/../../x is a name outside of the folder"));
 }
 
 TEST_F(CheckFiles, EveryFlippedBitIsTold) {

@@ -7,6 +7,7 @@
 
 #include "experiments/record/checksum.h"
 #include "tests/experiments/runner/support.h"
+#include "tests/fakes/odd_files.h"
 
 namespace runner {
 namespace {
@@ -101,6 +102,22 @@ TEST_F(EvidenceTest, CutsDownTooManyFiles) {
   EXPECT_EQ(cut_down(place(1), {.files = 10}),
             "what the teams wrote was removed: a game keeps at most 10 files");
   EXPECT_EQ(files_in(folder_.path(), place(1)).size(), 1U);
+}
+
+// A team may leave anything in its log folder.
+TEST_F(EvidenceTest, KeepsFilesAndFoldersOnly) {
+  attempt(1, true, 40);
+  fs::create_symlink("log", place(1) / "link");
+  fs::create_directory_symlink("/", place(1) / "folder");
+  fs::create_symlink("nothing", place(1) / "dangling");
+  fakes::make_pipe(place(1) / "pipe");
+  fakes::make_socket(place(1) / "socket");
+  remove_odd(place(1));
+  std::vector<std::string> left;
+  for (const auto& entry : fs::directory_iterator(place(1))) left.push_back(entry.path().filename());
+  EXPECT_THAT(left, ElementsAre("log"));
+  EXPECT_TRUE(fs::exists("/tmp"));
+  remove_odd(place(2));
 }
 
 TEST(SamplingNumber, IsEvenlySpreadAndTheSameInEveryRun) {
