@@ -8,6 +8,7 @@
 
 #include "experiments/bench/bench.h"
 #include "experiments/isolation.h"
+#include "experiments/live_again.h"
 #include "experiments/schedule/limits.h"
 
 // The subcommands of matchday: each takes what the command line said and returns the program's exit code.
@@ -124,6 +125,7 @@ struct ReplayOptions {
   std::optional<std::filesystem::path> log;
   std::filesystem::path team_logs;
   bool recorded = false;  ///< from the teams' recorded replies, without the teams
+  LiveOptions live;
 };
 /// One game of a ledger again, from its seed or its recorded replies, and whether it went the same.
 int replay(const ReplayOptions& options);
@@ -132,6 +134,8 @@ struct VerifyOptions {
   std::filesystem::path folder;
   int sample = 3;     ///< games to be played again
   bool json = false;  ///< all of it as JSON at the end
+  LiveOptions live;
+  std::string version;  ///< of matchday
 };
 /// Whether a result folder is what was written.
 int verify(const VerifyOptions& options);

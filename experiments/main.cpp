@@ -11,6 +11,7 @@
 #include "experiments/builds/builds.h"
 #include "experiments/commands.h"
 #include "experiments/exit_code.h"
+#include "experiments/help.h"
 #include "experiments/record/ledger.h"
 #include "experiments/schedule/design.h"
 #include "sim/console/printable.h"
@@ -20,19 +21,6 @@
 namespace {
 
 using commands::ExitCode;
-
-constexpr const char* footer = R"(
-Exit codes: 0 done, of a sequential test: A is better; 1 replay: the game went differently; 2 bad input; 3 run: the
-teams cannot play, says the short game before the first one; 4 too many void games, or play: the game ended by a
-fault, or verify: not everything could be verified; 5 trouble with a result folder, or verify: it is not as written;
-10 sequential test: A is not better; 11 undecided when all games were played; 70 a mistake in matchday itself; 74
-standard output, or the file of --log or --record, cannot be written; 129, 130 and 143 interrupted by HUP, Ctrl-C and
-TERM (run: the same command continues); 141 whoever read standard output has gone.)";
-constexpr const char* short_footer = "\nExit codes: matchday --help tells them.";
-constexpr const char* design_footer = R"(
-A team loses a game by forfeit when it takes more of its own time, computing or asleep, than the design's [limits]
-allow: team_reply (5 s, for a reply), team_second (20 s, for the replies of a simulated second), team_game (1440 s, for
-those of a game). What the machine delays does not count.)";
 
 const CLI::Range robot_number(0, 15);
 const CLI::Range half_length(1.0, schedule::longest_half);  // [s]
@@ -215,6 +203,20 @@ void add_report(CLI::App& main, commands::ReportOptions& options) {
       ->excludes(format);
 }
 
+/// What a command may do that starts the programs of a folder, which somebody else may have made.
+void add_live(CLI::App& app, commands::LiveOptions& options) {
+  app.add_option(
+         "--isolation", options.isolation.level,
+         "what they see of the machine: none (all), files, network, see matchday play --help; default: the "
+         "strongest that is possible, whatever the folder says; where none is, they are not started")
+      ->type_name("LEVEL");
+  app.add_option("--visible", options.isolation.visible,
+                 "file or folder of the home that they may read nevertheless; may be repeated")
+      ->allow_extra_args(false);
+  app.add_flag("--build", options.build,
+               "build teams from git with the commands that the folder names; default: they are not played");
+}
+
 void add_replay(CLI::App& main, commands::ReplayOptions& options) {
   CLI::App& app =
       *main.add_subcommand("replay", "play one game of a result folder again and compare its hash");
@@ -224,6 +226,7 @@ void add_replay(CLI::App& main, commands::ReplayOptions& options) {
   app.add_option("--team-logs", options.team_logs, "folder for what the teams print");
   app.add_flag("--recorded", options.recorded,
                "from the teams' recorded replies instead of live teams; kept of faulty and sampled games");
+  add_live(app, options.live);
 }
 
 void add_verify(CLI::App& main, commands::VerifyOptions& options) {
@@ -234,6 +237,7 @@ void add_verify(CLI::App& main, commands::VerifyOptions& options) {
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
   app.add_flag("--json", options.json, "print all findings as JSON");
+  add_live(app, options.live);
 }
 
 void add_bench(CLI::App& main, bench::BenchOptions& options, commands::RealismOptions& realism,
@@ -371,10 +375,9 @@ int matchday(int argc, char** argv) {
   add_worker(app, worker);
   add_judge(app, judge);
   add_judge_game(app, judge_game);
-  app.footer(footer);  // after them: they would inherit it
+  app.footer(commands::footer());  // after them: they would inherit it
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    command->footer((command->get_name() == "run" || command->get_name() == "plan" ? design_footer : "") +
-                    std::string(short_footer));
+    command->footer(commands::footer_of(command->get_name()));
 
   if (argc > 1 && argv[1][0] != '-') check_command(app, argv[1]);
   check_flags(app, argc, argv);
@@ -393,7 +396,10 @@ int matchday(int argc, char** argv) {
   if (app.got_subcommand("plan")) return commands::plan(plan);
   if (app.got_subcommand("report")) return commands::report(report);
   if (app.got_subcommand("replay")) return commands::replay(replay);
-  if (app.got_subcommand("verify")) return commands::verify(verify);
+  if (app.got_subcommand("verify")) {
+    verify.version = MATCHDAY_VERSION;
+    return commands::verify(verify);
+  }
   if (app.got_subcommand("worker")) return commands::worker(worker);
   if (app.got_subcommand("judge-game")) return commands::judge_game(judge_game);
   if (app.got_subcommand("judge")) {

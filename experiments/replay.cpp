@@ -13,6 +13,7 @@
 #include "experiments/schedule/schedule.h"
 #include "experiments/start.h"
 #include "experiments/tell.h"
+#include "sim/console/printable.h"
 
 namespace commands {
 namespace {
@@ -75,7 +76,7 @@ int compare(const record::MatchRecord& again, const record::Attempt& attempt, bo
   const record::MatchRecord& original = attempt.record;
   if (original.hash.empty()) {
     std::cout << "the ledger has no hash of this game (" << record::name(original.termination) << ": "
-              << original.reason << ")\n";
+              << console::printable(original.reason) << ")\n";
     return done;
   }
   // Recorded replies go up to the fault, which is the teams' and not in them.
@@ -83,17 +84,22 @@ int compare(const record::MatchRecord& again, const record::Attempt& attempt, bo
   if (again.hash == original.hash && ended_alike) {
     std::cout << (original.termination == record::Termination::Finished || !recorded
                       ? "the same game as in the ledger\n"
-                      : "the same game as in the ledger, up to its fault: " + original.reason + "\n");
+                      : "the same game as in the ledger, up to its fault: " +
+                            console::printable(original.reason) + "\n");
     return done;
   }
-  if (!recorded && again.at_fault == record::Party::Harness) {
-    std::cout << "it could not be played again: " << again.reason << "\n";
+  // As when the league log cannot be written; recorded replies that lead elsewhere are no such case.
+  const bool broken = again.reason.starts_with("internal error: ");
+  if (broken || (!recorded && again.at_fault == record::Party::Harness)) {
+    std::cout << "it could not be played again: " << console::printable(again.reason) << "\n";
     return faults;
   }
   std::cout << "not the game in the ledger (" << record::name(original.termination) << ", hash "
-            << original.hash << "): "
-            << (recorded ? "it was played by another build of matchday, or on another kind of processor\n"
-                         : "a team is not deterministic, or a program was changed since\n");
+            << console::printable(original.hash) << "): "
+            << (recorded
+                    ? "it was played by another build of matchday, or on another kind of processor\n"
+                    : "a team is not deterministic, a program was changed since, or needs what it does not "
+                      "see with this isolation\n");
   return different;
 }
 
@@ -103,7 +109,10 @@ int replay(const ReplayOptions& options) {
   check_temporary_folder(Games::Here);
   check_output("--log", options.log, ".log");
   Experiment experiment = read_experiment(options.folder);
-  if (!options.recorded) build_teams(experiment.design, options.folder);
+  host::Options settings;
+  std::string isolation;
+  if (!options.recorded)
+    settings = live_settings(experiment.design, options.folder, options.live, &isolation);
   const schedule::Game game = schedule::find_game(experiment.design, options.game);
   const record::Attempt& attempt = recorded(experiment, game.key);
 
@@ -111,12 +120,6 @@ int replay(const ReplayOptions& options) {
   config.log = options.log;
   config.directory = options.team_logs;
   make_team_logs(config.directory);
-  host::Options settings;
-  if (!options.recorded) {
-    settings.isolation = chosen_isolation(experiment.design.isolation, "isolation =").level;
-    settings.visible = visible_paths(experiment.design.visible, "visible =");
-    settings.hidden = {std::filesystem::weakly_canonical(std::filesystem::absolute(options.folder))};
-  }
   settings.memory_limit = experiment.design.limits.team_memory << 20;
   set_team_time(experiment.design.limits.team_time, settings);
   settings.must_be_plausible = true;  // as when it was played, so that it ends alike
@@ -131,6 +134,7 @@ int replay(const ReplayOptions& options) {
 
   std::cout << options.game << ", attempt " << attempt.attempt << ", team A is " << world::name(game.a_colour)
             << "\n";
+  if (!isolation.empty()) std::cout << isolation << "\n";
   tell_circumstances(config, std::cout);
   const OneGame again = play_one_game(config, &std::cout, false, settings);
   tell_result(config, again.record, std::cout);

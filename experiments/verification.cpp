@@ -86,6 +86,7 @@ std::vector<std::string> unverified(const Verification& all) {
                       " of the ledger without a checksum, by an older matchday");
   }
   if (!all.manifest) clauses.emplace_back("there is no manifest, so nobody can say which programs played");
+  if (!all.unknown_design.empty()) clauses.push_back(all.unknown_design);
   const std::size_t left = count_of(all, GameAgain::Result::Unverified);
   if (left == 0) return clauses;
   std::vector<std::string> reasons;
@@ -139,7 +140,7 @@ void tell_manifest(const Verification& all, std::ostream& out) {
   if (!all.manifest) tell("manifest", "there is none; nobody can say which programs played", out);
   if (!all.matchday.empty()) tell("made by", "matchday " + all.matchday + ", commit " + all.commit, out);
   tell_all("manifest", all.manifest_problems, out);
-  if (all.manifest && all.manifest_problems.empty()) {
+  if (all.manifest && all.manifest_problems.empty() && all.unknown_design.empty()) {
     tell("manifest", "design, protocol and programs make experiment " + all.experiment, out);
   }
   for (const Verification::Program& one : all.programs) tell("program", one.path + ": " + one.state, out);

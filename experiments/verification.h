@@ -47,6 +47,7 @@ struct Verification {
   std::string commit;
   std::string experiment;                      ///< hash that the manifest's contents make
   std::vector<std::string> manifest_problems;  ///< a sentence for each
+  std::string unknown_design;                  ///< why the ledger's cannot be compared with the manifest's
   std::vector<Program> programs;
   int wanted = 0;            ///< games to be played again
   std::size_t finished = 0;  ///< games of which they are a sample

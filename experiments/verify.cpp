@@ -10,6 +10,8 @@
 #include "experiments/commands.h"
 #include "experiments/host/recorded_teams.h"
 #include "experiments/isolation.h"
+#include "experiments/ledger_games.h"
+#include "experiments/live_again.h"
 #include "experiments/one_game.h"
 #include "experiments/record/ledger.h"
 #include "experiments/runner/audit.h"
@@ -29,7 +31,10 @@ namespace fs = std::filesystem;
 class Verifier {
  public:
   Verifier(const VerifyOptions& options, std::ostream* out)
-      : folder_(options.folder), out_(out), ledger_(record::Ledger::read(folder_ / "ledger.sqlite")) {
+      : folder_(options.folder),
+        options_(options),
+        out_(out),
+        ledger_(record::Ledger::read(folder_ / "ledger.sqlite")) {
     all_.folder = folder_.string();
     all_.wanted = options.sample;
   }
@@ -46,6 +51,8 @@ class Verifier {
  private:
   void check_rows() {
     rows_ = ledger_.check();
+    read_design();
+    if (design_) compare_with_design(*design_, rows_);
     const auto add = [&](const char* table, const record::RowCheck& check) {
       all_.rows.push_back({table, check.whole, check.unknown, check.damaged});
       if (out_ != nullptr) tell_rows(all_.rows.back(), *out_);
@@ -57,6 +64,9 @@ class Verifier {
     const bool all_rows = rows_.files.damaged.empty() && rows_.attempts.damaged.empty();
     all_.files = runner::check_files(folder_, rows_.readable_files, rows_.readable_attempts, all_rows);
     if (out_ != nullptr) tell_files(all_, *out_);
+  }
+
+  void read_design() {
     if (!rows_.experiment.damaged.empty()) return;
     const record::Experiment experiment = ledger_.experiment();
     hash_ = experiment.hash;
@@ -64,6 +74,7 @@ class Verifier {
       design_ = schedule::parse_design(experiment.design, "its design");
     } catch (const std::invalid_argument& error) {
       no_design_ = error.what();
+      all_.unknown_design = "the ledger's design cannot be read: " + no_design_;
     }
   }
 
@@ -82,23 +93,59 @@ class Verifier {
     all_.matchday = origin.matchday;
     all_.commit = origin.commit;
     all_.experiment = origin.identity;
+    const auto problem = [&](const std::string& text) { all_.manifest_problems.push_back(text); };
     if (!hash_.empty() && origin.experiment_hash != hash_) {
-      all_.manifest_problems.push_back("is of experiment " + origin.experiment_hash + ", the ledger of " +
-                                       hash_);
+      problem("is of experiment " + origin.experiment_hash + ", the ledger of " + hash_);
     } else if (origin.identity != origin.experiment_hash) {
-      all_.manifest_problems.push_back("design, protocol and programs make experiment " + origin.identity +
-                                       ", not " + origin.experiment_hash);
+      problem("design, protocol and programs make experiment " + origin.identity + ", not " +
+              origin.experiment_hash);
     }
+    if (origin.ledger_schema > ledger_.version()) {
+      problem("the ledger began with schema " + std::to_string(origin.ledger_schema) + " and now says " +
+              std::to_string(ledger_.version()));
+    }
+    compare_designs(origin);
+    origin_ = origin;
     const fs::path self = fs::read_symlink("/proc/self/exe");
     for (const runner::ProgramFile& one : origin.files) {
-      std::string state = "missing";
+      std::error_code ignored;
+      std::string state = fs::exists(one.path, ignored) ? "changed" : "missing";
       try {
-        state = runner::program_file(one.path).hash == one.hash ? "same" : "changed";
-      } catch (const std::invalid_argument&) {
+        if (runner::program_file(one.path).hash == one.hash) state = "same";
+      } catch (const std::invalid_argument&) {  // no file, or it may not be read
       }
       own_build_ = own_build_ || (state == "same" && one.path == self);
       if (state != "same") others_.push_back(one.path.filename().string() + " " + state);
       all_.programs.push_back({one.path.string(), state});
+    }
+  }
+
+  /// The ledger's design must be that of the manifest.
+  void compare_designs(const runner::Origin& origin) {
+    if (!design_) return;
+    schedule::Design design = *design_;
+    runner::take_commits(origin, design);
+    const std::string own = schedule::canonical(design);
+    if (own == origin.design) return;
+    const std::string text = "the ledger's design makes experiment " +
+                             runner::experiment_hash(own, origin.files, origin.protocol) + ", not " +
+                             origin.experiment_hash;
+    // Another version may put the same design into other words.
+    if (origin.matchday == options_.version) {
+      all_.manifest_problems.push_back(text);
+    } else {
+      all_.unknown_design = text + ", says another version of matchday than that which wrote it";
+    }
+  }
+
+  /// Whether a program that the design names is none of those that the manifest names.
+  /// @throws std::invalid_argument when one cannot be found
+  void check_programs() const {
+    for (const runner::ProgramFile& one : runner::program_files(*design_)) {
+      const auto same = [&](const runner::ProgramFile& known) { return known.hash == one.hash; };
+      if (std::none_of(origin_.files.begin(), origin_.files.end(), same)) {
+        throw std::invalid_argument("the design names " + one.path.string() + ", the manifest does not");
+      }
     }
   }
 
@@ -142,10 +189,12 @@ class Verifier {
   void play_sample() {
     std::string not_from_seed = why_not_from_seed();
     const std::vector<const record::Attempt*> games = sample();
-    if (design_ && not_from_seed.empty() && !games.empty()) {
+    const bool live = std::any_of(games.begin(), games.end(),
+                                  [&](const record::Attempt* attempt) { return !replies_of(*attempt); });
+    if (design_ && not_from_seed.empty() && live) {
       try {
-        build_teams(*design_, folder_);
-        seed_settings_ = live_settings();
+        seed_settings_ = live_settings(*design_, folder_, options_.live);
+        check_programs();
       } catch (const std::invalid_argument& error) {
         not_from_seed = error.what();
       }
@@ -156,20 +205,27 @@ class Verifier {
     }
   }
 
-  host::Options live_settings() const {
-    host::Options settings;
-    settings.isolation = chosen_isolation(design_->isolation, "isolation =").level;
-    settings.visible = visible_paths(design_->visible, "visible =");
-    settings.hidden = {fs::weakly_canonical(fs::absolute(folder_))};
-    return settings;
+  /// How teams see less or more of the machine than in the folder's games; empty: they see the same.
+  std::string other_isolation() const {
+    const std::string now = process::name(seed_settings_.isolation);
+    const std::string before = runner::level_of(origin_.isolation);
+    if (!before.empty() && before != now)
+      return "with isolation " + now + ", not " + before + " as in the folder";
+    const bool narrower = seed_settings_.isolation != process::Isolation::None && !design_->visible.empty() &&
+                          seed_settings_.visible.empty();
+    return narrower ? "without the files that the folder makes visible (--visible)" : "";
+  }
+
+  std::optional<fs::path> replies_of(const record::Attempt& attempt) const {
+    return runner::kept_replies(folder_ / "games" / record::game_id(attempt.key) /
+                                std::to_string(attempt.attempt));
   }
 
   GameAgain again(const record::Attempt& attempt, const std::string& not_from_seed) const {
     GameAgain game;
     game.game = record::game_id(attempt.key);
     game.attempt = attempt.attempt;
-    const auto replies =
-        runner::kept_replies(folder_ / "games" / game.game / std::to_string(attempt.attempt));
+    const std::optional<fs::path> replies = replies_of(attempt);
     game.from_replies = replies.has_value();
     if (!design_) {
       game.reason = no_design_.empty() ? "the ledger's design is damaged" : no_design_;
@@ -211,7 +267,9 @@ class Verifier {
     const bool unsteady =
         std::any_of(rows_.readable_audits.begin(), rows_.readable_audits.end(),
                     [](const record::Audit& audit) { return audit.verdict == record::Verdict::TeamDiffers; });
-    if (!own_build_) {
+    if (const std::string other = replies ? "" : other_isolation(); !other.empty()) {
+      game.reason += ", " + other;
+    } else if (!own_build_) {
       game.reason += ", by another build of matchday than that which played it";
     } else if (!replies && unsteady) {
       game.reason += ", and a team is not deterministic, say the audits";
@@ -223,12 +281,14 @@ class Verifier {
   }
 
   fs::path folder_;
+  VerifyOptions options_;
   std::ostream* out_;  ///< null: nothing is told
   record::Ledger ledger_;
   record::LedgerCheck rows_;
   std::string hash_;  ///< of the experiment; empty when the ledger cannot say it
   std::optional<schedule::Design> design_;
   std::string no_design_;  ///< why it cannot be read
+  runner::Origin origin_;  ///< what the manifest says
   host::Options seed_settings_;
   bool own_build_ = false;           ///< this program played the games
   std::vector<std::string> others_;  ///< programs that are not what they were
@@ -239,6 +299,7 @@ class Verifier {
 
 int verify(const VerifyOptions& options) {
   check_temporary_folder(Games::Here);
+  asked_isolation(options.live.isolation.level);
   Verifier verifier(options, options.json ? nullptr : &std::cout);
   try {
     const Verification& all = verifier.verify();

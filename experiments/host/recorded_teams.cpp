@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "experiments/host/play.h"
+
 namespace host {
 
 RecordedTeams::RecordedTeams(const std::filesystem::path& path, const record::MatchConfig& config)
@@ -44,7 +46,9 @@ const wire::proto::Tick* RecordedTeams::replies(std::int64_t tick) {
 record::MatchConfig recorded_config(const std::filesystem::path& path) {
   const wire::RecordingReader reader(path);
   try {
-    return record::match_config_from_json(reader.start().config());
+    record::MatchConfig config = record::match_config_from_json(reader.start().config());
+    check(config);
+    return config;
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(path.string() + ": " + error.what());
   }

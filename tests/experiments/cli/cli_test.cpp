@@ -188,7 +188,7 @@ TEST_F(MatchdayProgram, ReplaysAFaultyGameFromItsRepliesWithoutTheTeams) {
       << "[teams.b]\ncommand = [\"" + fakes::bin_dir() +
              "/fake-team\", \"--mode\", \"crash\", \"--at\", \"400\"]\n";
   EXPECT_EQ(matchday("run real.toml --no-preflight").code, 0) << "forfeits count";
-  for (const std::string how : {"", " --recorded"}) {
+  for (const std::string how : {" --isolation none", " --recorded"}) {
     const Said said = matchday("replay results/real base-0000-1" + how);
     EXPECT_EQ(said.code, 0) << said.text;
     EXPECT_THAT(said.text, HasSubstr("the same game as in the ledger"));

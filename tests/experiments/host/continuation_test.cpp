@@ -129,6 +129,33 @@ TEST_F(RecordedGame, ThatIsDamagedIsNamed) {
   }
 }
 
+TEST_F(RecordedGame, WhoseConfigurationCannotBePlayedIsRefused) {
+  wire::RecordingReader reader(*config.recording);
+  const std::filesystem::path file = directory / "empty.replies";
+  const auto complaint = [&](const MatchConfig& wrong) -> std::string {
+    wire::RecordingWriter writer(file);
+    wire::proto::Recorded record;
+    *record.mutable_start() = reader.start();
+    record.mutable_start()->set_config(record::to_json(wrong));
+    writer.write(record);
+    writer.close();
+    try {
+      recorded_config(file);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(complaint(config), "accepted");
+  MatchConfig wrong = config;
+  wrong.teams.blue.command = {};
+  EXPECT_THAT(complaint(wrong), HasSubstr("empty.replies: blue ("));
+  EXPECT_THAT(complaint(wrong), HasSubstr("command is empty"));
+  wrong = config;
+  wrong.teams.yellow.robots = {99};
+  EXPECT_THAT(complaint(wrong), HasSubstr("empty.replies: yellow ("));
+}
+
 TEST_F(RecordedGame, ThatIsCutOffIsPlayedAsFarAsItGoes) {
   std::ifstream in(*config.recording, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(in)), {});
