@@ -14,7 +14,9 @@ namespace host {
 /// Patience (patience.h) is for one reply; this is for the sum of all replies of a simulated second and of a
 /// game, however short each of them. While all is well it costs a look at the clock per reply. Once a second,
 /// and more often when less is allowed, the team's processes are looked at: what they waited for a processor,
-/// and what the host itself did, is the machine's delay or the other team's work and does not count.
+/// and what the host itself did, is the machine's delay or the other team's work and does not count. Of threads
+/// and children that end all the time nobody knows their delays: of a team that has such, what it is waited
+/// for and does not compute counts only when it makes half as much again as is allowed.
 class Budget {
  public:
   using Clock = std::chrono::steady_clock;
@@ -66,7 +68,11 @@ class Budget {
   // We look at the channel every 10 ms: when it was much longer, we did not run ourselves.
   static constexpr std::chrono::milliseconds longest_step{20};
 
-  double own_since_last_look(const TeamTime& team, double host_delay);
+  struct Spent {
+    double own = 0;      ///< [s]
+    double unclear = 0;  ///< [s] besides: its own or the machine's
+  };
+  Spent since_last_look(const TeamTime& team, double host_delay) const;
 
   Allowed allowed_;
   bool begun_ = false;
@@ -77,8 +83,10 @@ class Budget {
   Clock::time_point looked_{};  ///< the last look
   Clock::time_point second_began_{};
   std::int64_t second_ = 1;
-  double own_second_ = 0;  ///< [s]
-  double own_game_ = 0;    ///< [s]
+  double own_second_ = 0;      ///< [s]
+  double own_game_ = 0;        ///< [s]
+  double unclear_second_ = 0;  ///< [s]
+  double unclear_game_ = 0;    ///< [s]
   TeamTime last_;
   double host_delay_ = 0;          ///< [s] at the last look
   double processor_at_begin_ = 0;  ///< [s]

@@ -37,10 +37,11 @@ Channel::~Channel() {
   if (socket_ >= 0) ::close(socket_);
 }
 
-Channel::Status Channel::send(std::string_view& rest) {
+Channel::Status Channel::send(std::string_view& rest, Full full) {
+  const int flags = MSG_NOSIGNAL | (full == Full::Return ? MSG_DONTWAIT : 0);
   while (!rest.empty()) {
     ++calls_;
-    const ssize_t count = ::send(socket_, rest.data(), rest.size(), MSG_NOSIGNAL);
+    const ssize_t count = ::send(socket_, rest.data(), rest.size(), flags);
     if (count < 0) {
       if (errno == EINTR) continue;
       return errno == EAGAIN || errno == EWOULDBLOCK ? Status::Waiting : Status::Closed;

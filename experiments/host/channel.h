@@ -29,8 +29,9 @@ class Channel {
   Channel& operator=(const Channel&) = delete;
   ~Channel();
 
+  enum class Full { Wait, Return };  ///< when the other side has not read what it was sent before
   /// Writes `rest` and removes from it what went out. Waiting: some is left; call again.
-  Status send(std::string_view& rest);
+  Status send(std::string_view& rest, Full full);
 
   /// The next frame's payload, valid until the next call; Waiting: none came within a slice.
   /// @throws wire::FrameError when what came is not a frame, or one that is too long: before it is read

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "experiments/host/cell.h"
+#include "experiments/record/waited_for.h"
 #include "sim/wire/team_limits.h"
 #include "sim/world/rules/rule_set.h"
 
@@ -83,6 +84,7 @@ record::MatchRecord Match::run() {
     record.termination = Termination::HarnessFault;
     record.at_fault = record::Party::Harness;
     record.reason = slow.sentence;
+    record.costs[record::waited_for(slow.team)] = 1;
   } catch (const NobodysFault& fault) {
     record.termination = Termination::HarnessFault;
     record.at_fault = record::Party::Harness;
@@ -111,7 +113,7 @@ void Match::greet_teams() {
   for (const world::Team team : world::both_teams) teams_[team]->accept(idle_);
   allow(options_.connect_deadline);  // anew: one must not suffer from the other's slow start
   for (const world::Team team : world::both_teams) {
-    teams_[team]->send(hello_frame(team, config_, engine_.model()), idle_);
+    teams_[team]->send(hello_frame(team, config_, engine_.model()));
   }
   for (const world::Team team : world::both_teams) {
     TeamProcess& process = *teams_[team];
@@ -297,14 +299,14 @@ void Match::exchange() {
   lap(Part::Messages);
 
   // Both are written before either is read: the teams think at the same time, or at least
-  // neither waits for the other.
+  // neither waits for the other, nor for one that does not read.
   for (const world::Team team : world::both_teams) teams_[team]->check_nothing_is_ahead(engine_.tick());
   const Budget::Clock::time_point begin = Budget::Clock::now();
   for (const world::Team team : world::both_teams) {
     teams_[team]->allow(options_.reply_deadline, begin);
     teams_[team]->begin_tick(begin);
   }
-  for (const world::Team team : world::both_teams) teams_[team]->send(frames[team], idle_);
+  for (const world::Team team : world::both_teams) teams_[team]->send(frames[team]);
   if (slow_) see_who_answers({teams_.yellow.get(), teams_.blue.get()});
   // First the one that was written to last: by then the other has answered, which wakes nobody.
   world::PerTeam<bool> came;

@@ -46,8 +46,9 @@ void Patience::count(Clock::time_point now, const Look& look) {
   if (known_) {
     const Clock::duration owed = span(time.delay_seconds - last_.delay_seconds);
     owed_ += counts < passed ? std::min(owed, counts) : owed;
-    used_ +=
-        std::clamp(span(time.processor_seconds - last_.processor_seconds), Clock::duration::zero(), counts);
+    const double used =
+        std::max(time.processor_seconds - last_.processor_seconds, time.used_seconds - last_.used_seconds);
+    used_ += std::clamp(span(used), Clock::duration::zero(), counts);
   } else {
     used_ += counts;
   }

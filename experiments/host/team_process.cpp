@@ -9,6 +9,7 @@
 #include "experiments/process/family.h"
 #include "experiments/process/held.h"
 #include "experiments/process/tree.h"
+#include "experiments/record/json_text.h"
 #include "sim/wire/team_limits.h"
 
 namespace host {
@@ -28,10 +29,10 @@ constexpr const char* cannot_execute = "bwrap: execvp ";
 // All processes of the machine are looked at for those that left their parents: some ms (ours).
 constexpr auto strays_interval = 5s;
 
-/// The team's own words: nearly always the reason.
+/// The team's own words: nearly always the reason. In quotes, since they may read like ours.
 std::string said(const process::Child& child) {
   const std::string line = child.output().last_line();
-  return line.empty() ? "" : "; it said last: " + line;
+  return line.empty() ? "" : "; it said last: " + record::quoted(line);
 }
 
 }  // namespace
@@ -75,8 +76,17 @@ void TeamProcess::start(const Start& how) {
 
 void TeamProcess::count_time(Patience::Clock::time_point now) {
   if (!child_ || fault_) return;
-  // Who has answered waits for us, while we wait for the other team.
-  if (budget_.waiting() && channel_ && channel_->has_input()) budget_.answered(now);
+  send_rest(Channel::Full::Return);
+  if (budget_.waiting()) {
+    // Who has answered waits for us, while we wait for the other team. What is there before its tick is not
+    // the answer.
+    const bool has_answered = channel_ && unsent_.empty() && channel_->has_input();
+    if (has_answered) {
+      budget_.answered(now);
+    } else {
+      budget_.count_wait(now);
+    }
+  }
   patience_.count(now, [&] { return time(now); });
   if (!budget_.wants_look(now)) return;
   budget_.look(now, time(now), process::own_delay());
@@ -114,8 +124,8 @@ bool TeamProcess::waited_enough(Termination termination, const std::string& what
     return true;
   }
   if (patience_.machine_is_too_slow()) {
-    throw MachineTooSlow{"the machine is too slow or overloaded: " + std::string(world::name(team_)) + " (" +
-                         config_.name + ") " + what + ", but " + patience_.starved()};
+    throw MachineTooSlow{team_, "the machine is too slow or overloaded: " + std::string(world::name(team_)) +
+                                    " (" + config_.name + ") " + what + ", but " + patience_.starved()};
   }
   return false;
 }
@@ -197,24 +207,35 @@ void TeamProcess::check_nothing_is_ahead(std::int64_t tick) {
                                    std::to_string(tick) + " was sent to it");
 }
 
-void TeamProcess::send(std::string_view frame, const Idle& while_waiting) {
-  while (!fault_) {
-    switch (channel_->send(frame)) {
-      case Channel::Status::Done:
-        return;
-      case Channel::Status::Closed:
-        note_gone();
-        return;
-      case Channel::Status::Waiting:
-        break;
-    }
-    if (waited_enough(Termination::NotResponding, "did not read what it was sent")) return;
-    while_waiting();
+void TeamProcess::send(std::string_view frame) {
+  if (fault_) return;
+  switch (channel_->send(frame, Channel::Full::Return)) {
+    case Channel::Status::Done:
+      return;
+    case Channel::Status::Waiting:
+      unsent_ = frame;
+      return;
+    case Channel::Status::Closed:
+      note_gone();
+      return;
   }
+}
+
+void TeamProcess::send_rest(Channel::Full full) {
+  if (fault_ || unsent_.empty()) return;
+  std::string_view rest = unsent_;
+  const Channel::Status status = channel_->send(rest, full);
+  unsent_.erase(0, unsent_.size() - rest.size());
+  if (status == Channel::Status::Closed) note_gone();
 }
 
 bool TeamProcess::receive(const Idle& while_waiting) {
   while (!fault_) {
+    send_rest(Channel::Full::Wait);
+    if (!unsent_.empty()) {
+      if (!waited_enough(Termination::NotResponding, "did not read what it was sent")) while_waiting();
+      continue;
+    }
     Channel::Status status{};
     try {
       status = channel_->receive(payload_);
@@ -327,7 +348,7 @@ void TeamProcess::end(const std::string& reason, std::chrono::milliseconds grace
     std::string frame;
     wire::append_frame(frame, goodbye);
     std::string_view rest = frame;
-    channel_->send(rest);  // whoever does not take it, does not
+    channel_->send(rest, Channel::Full::Wait);  // whoever does not take it, does not
   }
   if (!fault_ && channel_) child_->wait(grace);  // it was told, and leaves by itself
   const process::Exit exit = child_->stop(grace);

@@ -32,6 +32,7 @@ struct Fault {
 
 /// A team was not heard for so long because the machine did not let it run: nobody's fault but ours.
 struct MachineTooSlow {
+  world::Team team{};  ///< who was waited for
   std::string sentence;
 };
 
@@ -81,7 +82,7 @@ class TeamProcess {
   void begin_second(std::int64_t number, Budget::Clock::time_point now) { budget_.begin_second(number, now); }
   /// Its answer is seen to be there, though not read.
   void note_answer(Budget::Clock::time_point now) { budget_.answered(now); }
-  bool owes_answer() const { return !fault_ && budget_.waiting(); }
+  bool owes_answer() const { return !fault_ && budget_.waiting() && unsent_.empty(); }
   int socket() const { return channel_->socket(); }  ///< while it owes an answer
   Budget::Clock::time_point answered() const { return budget_.mark(); }
   /// Counts what has passed since the last look, without judging it.
@@ -93,8 +94,9 @@ class TeamProcess {
 
   /// Waits for its connection. Only a process of the team is let in.
   void accept(const Idle& while_waiting);
-  /// Writes one frame.
-  void send(std::string_view frame, const Idle& while_waiting);
+  /// Writes one frame, without waiting: a team that has not read what it was sent before gets the rest of it
+  /// while it is waited for, in its own time.
+  void send(std::string_view frame);
   /// Nonsense when it has sent something before it was asked: called before a tick is sent.
   void check_nothing_is_ahead(std::int64_t tick);
   /// Waits for the next frame; false when there is none, which is a fault.
@@ -134,6 +136,7 @@ class TeamProcess {
 
  private:
   Family family() const;
+  void send_rest(Channel::Full full);
   void admit(int socket);
   void look_at_files(std::int64_t output);
   std::vector<pid_t> processes() const;  // its family, and those known to have left it
@@ -155,6 +158,7 @@ class TeamProcess {
   Patience::Clock::time_point next_file_look_{};
   std::optional<process::Child> child_;
   std::optional<Channel> channel_;
+  std::string unsent_;                  // of the frame that is being written
   std::span<const std::byte> payload_;  // of the last frame, in the channel's memory
   MessageParser parser_;
   std::optional<Fault> fault_;

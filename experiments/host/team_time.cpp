@@ -14,6 +14,8 @@ namespace {
 constexpr std::size_t longest_chain = 4;
 // Of a wait for the disk that was perhaps not there between two looks far apart (ours).
 constexpr double longest_disk_step = 1;  // [s]
+// Sums of processes are told in steps of 0.01 s: twice that may be their rounding.
+constexpr double rounding = 0.02;  // [s]
 
 }  // namespace
 
@@ -25,12 +27,18 @@ TeamTime TeamClock::read(Clock::time_point now, const process::Activity& team) {
   std::map<pid_t, Known> seen;
   std::vector<double> delays;
   bool disk = false;
+  double grown = 0;  // processor time of the threads that live
   for (const process::Thread& thread : team.threads) {
-    if (thread.by_choice) continue;
     Known& known = seen[thread.id];
-    known = {.wanted = thread.wants_processor, .on = thread.on_seconds, .waited = thread.delay_seconds};
+    known = {.by_choice = thread.by_choice,
+             .wanted = thread.wants_processor,
+             .on = thread.on_seconds,
+             .waited = thread.delay_seconds};
     const auto before = threads_.find(thread.id);
-    const bool is_new = before == threads_.end();
+    const bool has_lived = before != threads_.end() && thread.on_seconds >= before->second.on;
+    grown += thread.on_seconds - (has_lived ? before->second.on : 0);
+    if (thread.by_choice) continue;
+    const bool is_new = !has_lived || before->second.by_choice;
     const bool has_run = !is_new && thread.on_seconds > before->second.on;
     if (known.wanted && !has_run) time.wants_machine = true;
     if (is_new) continue;
@@ -50,6 +58,10 @@ TeamTime TeamClock::read(Clock::time_point now, const process::Activity& team) {
     disk_left_ -= given;
     owed = std::max(owed, given);
   }
+  if (begun_) used_ += std::max(grown, team.processor_seconds - processor_ - rounding);
+  begun_ = true;
+  processor_ = team.processor_seconds;
+  time.used_seconds = used_;
   delay_ += owed;
   time.delay_seconds = delay_;
   threads_ = std::move(seen);

@@ -11,6 +11,7 @@ namespace host {
 struct TeamTime {
   double processor_seconds = 0;  ///< [s] used, also by threads and children that have ended, to 0.01 s
   double living_seconds = 0;     ///< [s] of that by the threads that live, to the nanosecond
+  double used_seconds = 0;       ///< [s] what is known of both, also of children that nobody waited for
   double delay_seconds = 0;      ///< [s] for which the machine has kept it waiting
   bool delays_known = true;      ///< the kernel counts the last two
   bool wants_machine = false;    ///< it is perhaps kept waiting now, too shortly to be in `delay_seconds`
@@ -18,6 +19,9 @@ struct TeamTime {
 
 /// Tells what of a team's time the machine owes it: only that for which a thread of it could run and had no
 /// processor, or waited for the disk, is not the team's own.
+///
+/// What it uses is added up from look to look: processor time of children that nobody waits for (SIGCHLD
+/// ignored) is in no sum of the kernel when they have ended.
 ///
 /// Two looks at its threads say that. What a thread has waited for a processor is its delay in `schedstat`;
 /// the wait it is in counts when it wanted one at both looks and has not run between them. Not owed is what a
@@ -36,6 +40,7 @@ class TeamClock {
 
  private:
   struct Known {
+    bool by_choice = false;
     bool wanted = false;  ///< a processor
     double on = 0;        ///< [s] on one
     double waiting = 0;   ///< [s] in a wait that is not over
@@ -44,7 +49,10 @@ class TeamClock {
   double disk_left_;  ///< [s]
   Clock::time_point last_{};
   std::map<pid_t, Known> threads_;
-  double delay_ = 0;  ///< [s]
+  bool begun_ = false;
+  double processor_ = 0;  ///< [s] at the last look
+  double used_ = 0;       ///< [s]
+  double delay_ = 0;      ///< [s]
 };
 
 }  // namespace host

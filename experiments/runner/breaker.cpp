@@ -4,8 +4,12 @@
 #include <cmath>
 #include <sstream>
 
+#include "experiments/record/waited_for.h"
+
 namespace runner {
 namespace {
+
+constexpr int least_waits = 3;  // for one team, before they are worth a word (ours)
 
 /// A tenth of the games may have to be played again, and ten of a small experiment (ours).
 int retry_budget(std::size_t games) { return static_cast<int>(std::max(std::size_t{10}, games / 10)); }
@@ -21,7 +25,11 @@ void Breaker::add(const record::Attempt& attempt) {
   ++attempts_;
   voids_ += is_void ? 1 : 0;
   voids_in_a_row_ = is_void ? voids_in_a_row_ + 1 : 0;
-  if (!is_void) {
+  if (is_void) {
+    const auto& costs = attempt.record.costs;
+    waited_for_a_ += costs.contains(record::waited_for(attempt.a_colour)) ? 1 : 0;
+    waited_for_b_ += costs.contains(record::waited_for(world::opponent(attempt.a_colour))) ? 1 : 0;
+  } else {
     const record::Party at_fault = attempt.record.at_fault;
     forfeits_a_ = at_fault == record::party(attempt.a_colour) ? forfeits_a_ + 1 : 0;
     forfeits_b_ = at_fault == record::party(world::opponent(attempt.a_colour)) ? forfeits_b_ + 1 : 0;
@@ -43,6 +51,16 @@ void Breaker::add(const record::Attempt& attempt) {
   }
   why << " (the last: " << attempt.record.reason << ")";
   reason_ = why.str();
+}
+
+std::string Breaker::waits() const {
+  const int most = std::max(waited_for_a_, waited_for_b_);
+  if (most < least_waits) return "";
+  const std::string team = waited_for_a_ == waited_for_b_ ? "each team"
+                           : waited_for_a_ == most        ? "team A"
+                                                          : "team B";
+  return "in " + std::to_string(most) + " of " + std::to_string(voids_) + " void games the host waited for " +
+         team;
 }
 
 }  // namespace runner

@@ -365,6 +365,7 @@ class Run {
       progress_.say(status_.reason + "; the reasons are in " + folder_.ledger().string() +
                     " and the logs in " + (folder_.path() / "games").string());
     }
+    if (const std::string waits = breaker_.waits(); !waits.empty()) progress_.say(waits);
     if (const std::size_t found = leftovers_.end(); found > 0) {
       strays_ += found;
       progress_.say(processes(found) + " of the games " + (found == 1 ? "was" : "were") +

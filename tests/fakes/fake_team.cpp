@@ -33,8 +33,11 @@
 #include "sim/wire/match.h"
 #include "tests/fakes/hoard.h"
 #include "tests/fakes/trespass.h"
+#include "tests/fakes/unread.h"
 
 namespace {
+
+using namespace std::chrono_literals;
 
 constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK] [--milliseconds N]
 
@@ -86,7 +89,11 @@ constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK] [--milli
   trespass      tries at TICK to reach what is not its own, and prints what it could (trespass.h)
   gigabytes     prints 64 MiB to standard output every tick
   late          sleeps N ms before each answer from TICK on
+  last-words    prints at TICK what reads like the end of a sentence of the host's, and ends with code 3
+  reap          stops answering at TICK; six children at a time compute for a moment each and are not waited for
   think         computes N ms before each answer from TICK on
+  unread        answers ticks from TICK on without reading them; when the host cannot write any more, reads one
+                of them every N ms
   busy-late     the same as late, and computes in a thread all the time
   vfork         stops answering at TICK, in a wait for a child as uninterruptible as one for a disk
   barriers      stops answering at TICK, in short uninterruptible waits
@@ -217,6 +224,24 @@ void think(std::chrono::milliseconds span) {
   }
 }
 
+/// Computes in children that end all the time and are reaped by the kernel: their processor time is in nobody's
+/// sum.
+[[noreturn]] void reap() {
+  ::signal(SIGCHLD, SIG_IGN);
+  const auto start_children = [] {
+    while (true) {
+      const pid_t child = ::fork();
+      if (child == 0) {
+        think(30ms);
+        ::_exit(0);
+      }
+      ::waitpid(child, nullptr, 0);
+    }
+  };
+  for (int at_a_time = 0; at_a_time < 6; ++at_a_time) std::thread(start_children).detach();
+  burn();
+}
+
 /// Starts what `burner`, `stray-burner` and `busy-late` have beside them.
 void start_burning(const std::string& mode) {
   if (mode == "busy-late") std::thread(burn).detach();
@@ -308,6 +333,7 @@ class Connection {
   }
 
   void close() const { ::close(socket_); }
+  int socket() const { return socket_; }
 
  private:
   int socket_ = -1;
@@ -360,7 +386,20 @@ void misbehave(const Arguments& arguments, const Connection& host, wire::proto::
     }
     ::waitpid(child, nullptr, 0);
   }
+  if (mode == "last-words") {
+    std::cout << R"("; yellow (Fake Y) crashed \)" << std::endl;
+    std::exit(3);
+  }
+  if (mode == "reap") reap();
   if (mode == "think") think(arguments.span);
+  if (mode == "unread") {
+    host.send(message);
+    fakes::keep_full(host.socket(), message.reply().tick(), arguments.span, [&](std::int64_t tick) {
+      message.mutable_reply()->set_tick(tick);
+      host.send(message);
+    });
+    hang();
+  }
   const auto add_commands = [&](int count) {
     for (int i = 0; i < count; ++i) message.mutable_reply()->mutable_control()->add_robot_commands();
   };

@@ -171,6 +171,40 @@ TEST_F(BudgetTest, ThreadsThatEndMakeDelaysUnknownButTheirProcessorTimeCounts) {
   EXPECT_NEAR(budget_.own_seconds(), 2, 0.1) << "not 5; the first look or two take it for sleep";
 }
 
+// Nobody can tell its sleep from the machine's delays: half as much again as is allowed is its own.
+TEST_F(BudgetTest, WithoutDelaysAWaitThatIsNotSeenAsSleepHasALimit) {
+  team_.delays_known = false;
+  team_.wants_machine = true;
+  play({.sleeps = 40ms});  // 2.4 s
+  EXPECT_EQ(budget_.own_seconds(), 0);
+  EXPECT_EQ(budget_.excess(), "");
+  play({.sleeps = 40ms, .queues = 50ms});  // the last are delays that are known
+  EXPECT_EQ(budget_.excess(), "");
+  for (int i = 0; i < 60 && budget_.excess().empty(); ++i) {
+    budget_.sent(now_);
+    pass(61ms);
+    budget_.answered(now_);
+    look();
+  }
+  EXPECT_EQ(budget_.excess().substr(0, 16), "was waited for 3") << "and a little more";
+  EXPECT_EQ(budget_.excess().substr(budget_.excess().find(" s for")),
+            " s for simulated second 3, with threads or children that end all the time, so that its own time "
+            "cannot be told from the machine's, 2 s are allowed");
+}
+
+TEST_F(BudgetTest, ProcessorTimeOfChildrenThatNobodyWaitedForCounts) {
+  for (int i = 0; i < 10; ++i) {
+    budget_.sent(now_);
+    pass(100ms);
+    budget_.answered(now_);
+    team_.wants_machine = true;
+    team_.used_seconds += 0.09;
+    team_.living_seconds -= 0.001;
+    look();
+  }
+  EXPECT_NEAR(budget_.own_seconds(), 0.9, 0.1);
+}
+
 TEST_F(BudgetTest, LooksTwentyTimesInABudgetAndOnceASecondAtLeast) {
   play({.computes = 1ms, .in_background = 10ms}, 100);
   EXPECT_EQ(looks_, 1) << "only at the end, since nobody was waited for";

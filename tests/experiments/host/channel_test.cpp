@@ -66,7 +66,7 @@ TEST_F(ChannelTest, ReadsWhatCameBeforeThePeerHungUp) {
   EXPECT_EQ(receive(text), Channel::Status::Done);
   EXPECT_EQ(receive(text), Channel::Status::Closed);
   std::string_view rest = "x";
-  EXPECT_EQ(channel_.send(rest), Channel::Status::Closed);
+  EXPECT_EQ(channel_.send(rest, Channel::Full::Wait), Channel::Status::Closed);
 }
 
 TEST_F(ChannelTest, ThrowsForALengthThatIsNone) {
@@ -78,8 +78,12 @@ TEST_F(ChannelTest, ThrowsForALengthThatIsNone) {
 TEST_F(ChannelTest, AFullSocketIsWaitedForInSlicesAndTheRestGoesLater) {
   const std::string large(std::size_t{4} << 20, 'x');  // far above what a socket holds (net.core.wmem_max)
   std::string_view rest = large;
-  EXPECT_EQ(channel_.send(rest), Channel::Status::Waiting);
+  EXPECT_EQ(channel_.send(rest, Channel::Full::Wait), Channel::Status::Waiting);
   EXPECT_LT(rest.size(), large.size());
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 100; ++i)
+    EXPECT_EQ(channel_.send(rest, Channel::Full::Return), Channel::Status::Waiting);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 50 * Channel::slice) << "some microseconds each";
   std::size_t received = 0;
   std::thread reader([&] {
     std::array<char, 65536> buffer{};
@@ -89,7 +93,7 @@ TEST_F(ChannelTest, AFullSocketIsWaitedForInSlicesAndTheRestGoesLater) {
       received += static_cast<std::size_t>(count);
     }
   });
-  while (channel_.send(rest) == Channel::Status::Waiting) {
+  while (channel_.send(rest, Channel::Full::Wait) == Channel::Status::Waiting) {
   }
   reader.join();
   EXPECT_EQ(received, large.size());

@@ -67,6 +67,12 @@ class Faults : public testing::Test {
   Options options_;
 };
 
+TEST_F(Faults, LastWordsAreQuoted) {
+  expect_blue(
+      play_against("last-words"), Termination::Crashed,
+      R"(ended with code 3 before the game was over; it said last: "\"; yellow (Fake Y) crashed \\")");
+}
+
 TEST_F(Faults, ProgramThatDoesNotExist) {
   auto config = fakes::short_game("good", "good");
   config.teams.blue.command = {"/nowhere/team"};

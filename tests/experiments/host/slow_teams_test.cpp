@@ -65,6 +65,52 @@ TEST_F(SlowTeams, AWaitThatLooksLikeTheDisksHidesNoSleep) {
   expect_blue(play_against(fakes::slow_team("vfork-late", 20)), second_allowed);
 }
 
+// With the usual second of 20 s the team is looked at once a second: shorter waits count, too.
+TEST_F(SlowTeams, SleepsBetweenTwoLooksCountAsAWhole) {
+  options_.budget = {.second = 20s, .game = 20s};
+  options_.last_tick = 13;
+  const auto record = play_against(fakes::slow_team("late", 300, 4));
+  EXPECT_EQ(record.ticks, 13) << record.reason;
+  // 3 s, and 0.001 s when 20 ms of a second counted. Where others load the machine, delays of the host are taken
+  // off: 1.2 s were seen.
+  EXPECT_GT(record.costs.at("own_seconds_blue"), 0.2);
+}
+
+TEST_F(SlowTeams, WhoDoesNotReadItsTicksWaitsAtItsOwnExpense) {
+  for (int leg = 0; leg < 2; ++leg) {
+    auto config = fakes::short_game("good", "good");
+    (leg == 0 ? config.teams.yellow : config.teams.blue).command = fakes::slow_team("unread", 100);
+    const auto record = play(config, options_);
+    EXPECT_EQ(record.at_fault, leg == 0 ? Party::Yellow : Party::Blue) << record.reason;
+    EXPECT_EQ(record.termination, Termination::OverLimit) << record.reason;
+    EXPECT_THAT(record.reason, HasSubstr(second_allowed));
+  }
+}
+
+// Held back until just before its own time for the reply is over, the other team would have had none.
+TEST_F(SlowTeams, WhoDoesNotReadItsTicksTakesNoTimeFromTheOther) {
+  options_.budget = {};
+  options_.reply_deadline = 300ms;
+  options_.last_tick = 45;  // there is room for some 30 ticks
+  auto config = fakes::short_game("good", "good");
+  config.teams.yellow.command = fakes::slow_team("unread", 270);
+  config.teams.blue.command = fakes::slow_team("late", 60);
+  const auto record = play(config, options_);
+  EXPECT_GT(record.ticks, 10) << record.reason;
+  EXPECT_NE(record.at_fault, Party::Blue) << record.reason;
+}
+
+TEST_F(SlowTeams, WhoNeverReadsItsTicksDoesNotRespond) {
+  options_.budget = {};
+  options_.reply_deadline = 500ms;
+  auto config = fakes::short_game("good", "good");
+  config.teams.yellow.command = fakes::slow_team("unread", 60'000);
+  const auto record = play(config, options_);
+  EXPECT_EQ(record.at_fault, Party::Yellow) << record.reason;
+  EXPECT_EQ(record.termination, Termination::NotResponding) << record.reason;
+  EXPECT_THAT(record.reason, HasSubstr("yellow (Fake Y) did not read what it was sent within 0.5 s"));
+}
+
 TEST_F(SlowTeams, TheGameHasABudgetToo) {
   options_.budget = {.second = 250ms, .game = 400ms};
   const auto record = play_against(fakes::slow_team("late", 2));  // 0.12 s a second

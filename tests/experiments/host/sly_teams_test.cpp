@@ -51,6 +51,12 @@ TEST_F(SlyTeams, IsAwakeForAMomentAllTheTime) {
   expect_forfeit("naps", " within 0.1 s");
 }
 
+TEST_F(SlyTeams, ComputesInChildrenThatNobodyWaitsFor) {
+  const auto record = play(fakes::short_game("good", "reap"), options_);
+  EXPECT_EQ(record.at_fault, Party::Blue) << record.reason;
+  EXPECT_THAT(record.reason, HasSubstr("blue (Fake B) did not answer within 0.5 s"));
+}
+
 /// With others who compute all the time on the processor of the game and the next one.
 class SlyTeamsOnABusyMachine : public SlyTeams {
  protected:

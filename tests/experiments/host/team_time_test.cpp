@@ -18,6 +18,7 @@ class TeamClockTest : public testing::Test {
     now_ += 100ms;
     process::Activity activity;
     activity.threads = threads_;
+    activity.processor_seconds = processor_;
     time_ = clock_.read(now_, activity);
   }
   /// So many looks, with the same happening to a thread before each.
@@ -31,6 +32,7 @@ class TeamClockTest : public testing::Test {
   process::Thread& thread() { return threads_.front(); }
 
   std::vector<process::Thread> threads_ = std::vector<process::Thread>(1);
+  double processor_ = 100;  // [s] of all processes, also of threads that have ended
   TeamClock::Clock::time_point now_{};
   TeamClock clock_{2s};
   TeamTime time_;
@@ -98,6 +100,31 @@ TEST_F(TeamClockTest, UninterruptibleWaitsAreOwedUpToALimit) {
   EXPECT_NEAR(time_.delay_seconds, 1, 1e-9);
   looks(100, [] {});
   EXPECT_NEAR(time_.delay_seconds, 2, 1e-9);
+}
+
+// The kernel's sums do not have them when they have ended.
+TEST_F(TeamClockTest, WhatChildrenUseThatNobodyWaitsForIsAddedUp) {
+  looks(20, [&] {
+    ++thread().id;
+    thread().on_seconds = 0.03;
+  });
+  EXPECT_NEAR(time_.used_seconds, 0.6, 1e-9);
+  thread().by_choice = true;
+  looks(10, [&] { thread().on_seconds += 0.1; });
+  EXPECT_NEAR(time_.used_seconds, 1.6, 1e-9) << "whatever its priority";
+}
+
+TEST_F(TeamClockTest, WhatThreadsUsedThatHaveEndedCountsOnce) {
+  looks(10, [&] {
+    thread().on_seconds += 0.06;
+    processor_ += 0.1;
+  });
+  EXPECT_NEAR(time_.used_seconds, 0.8, 1e-9) << "0.02 s a look may be rounding";
+  looks(10, [&] {
+    thread().on_seconds += 0.1;
+    processor_ += 0.1;
+  });
+  EXPECT_NEAR(time_.used_seconds, 1.8, 1e-9);
 }
 
 // A look once a second of a game that is played, or none for a minute.

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiments/record/waited_for.h"
+
 namespace runner {
 namespace {
 
@@ -44,6 +46,25 @@ TEST(Breaker, TripsAfterSoManyVoidGamesInARow) {
   EXPECT_FALSE(breaker.tripped());
   add(breaker, How::Void, 1);
   EXPECT_THAT(*breaker.tripped(), HasSubstr("3 games in a row were void (the last: it fell over)"));
+}
+
+TEST(Breaker, SaysForWhichTeamTheHostWaitedInVoidGames) {
+  Breaker breaker(limits(100, 1), 1000);
+  add(breaker, How::Void, 4);
+  EXPECT_EQ(breaker.waits(), "");
+  record::Attempt waited = attempt(How::Void);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(breaker.waits(), "");
+    waited.a_colour = i == 1 ? world::Team::Yellow : world::Team::Blue;
+    waited.record.costs = {{record::waited_for(world::opponent(waited.a_colour)), 1}};
+    breaker.add(waited);
+  }
+  EXPECT_EQ(breaker.waits(), "in 3 of 7 void games the host waited for team B");
+  for (int i = 0; i < 3; ++i) {
+    waited.record.costs = {{record::waited_for(waited.a_colour), 1}};
+    breaker.add(waited);
+  }
+  EXPECT_EQ(breaker.waits(), "in 3 of 10 void games the host waited for each team");
 }
 
 TEST(Breaker, TripsAboveAShareButNotBeforeTwentyGames) {
