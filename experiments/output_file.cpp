@@ -40,6 +40,7 @@ void check_output(const std::string& flag, const std::optional<fs::path>& file, 
   std::error_code ignored;
   if (fs::is_directory(*file, ignored)) reject(flag, *file, "is a folder; give the name of a file");
   for (const fs::path& path : {*file, target(*file)}) {
+    if (path != *file && fs::is_character_file(path, ignored)) continue;  // /dev/null has nothing to lose
     const std::string name = path.filename().string();
     if (name.ends_with(ending) || name.ends_with(ending + ".gz")) continue;
     reject(flag, *file,

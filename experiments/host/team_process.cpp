@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ctime>
 
 #include "experiments/process/family.h"
 #include "experiments/process/held.h"
@@ -20,8 +21,15 @@ using record::Termination;
 
 // A process that closed its socket because it ends needs this long at most to be seen as ended (ours).
 constexpr auto farewell = 500ms;
-// Looking through a team's open files and log folder may take one part in so many of our time (ours).
+// Looking through a team's open files and log folder may take one part in so many of our time (ours): of
+// processor time, since on a busy machine looks would be too rare by the clock.
 constexpr int file_look_share = 50;
+
+std::chrono::nanoseconds own_processor_time() {
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec};
+}
 
 // What bubblewrap says of a program with a missing interpreter, or for another kind of machine.
 constexpr const char* cannot_execute = "bwrap: execvp ";
@@ -297,8 +305,8 @@ void TeamProcess::check_limits(std::int64_t memory, std::int64_t output) {
 
 // Open files before those with a name: one that loses its name in between must not count twice.
 void TeamProcess::look_at_files(std::int64_t output) {
-  const Patience::Clock::time_point begin = Patience::Clock::now();
-  if (begin < next_file_look_) return;
+  if (Patience::Clock::now() < next_file_look_) return;
+  const std::chrono::nanoseconds begin = own_processor_time();
   using process::OwnMounts;
   held_ = process::held_by(process::family_of(child_->pid()), logs_,
                            isolated_ ? OwnMounts::Counted : OwnMounts::Ignored);
@@ -316,8 +324,7 @@ void TeamProcess::look_at_files(std::int64_t output) {
                                         ", in its log folder");
     }
   }
-  const Patience::Clock::time_point now = Patience::Clock::now();
-  next_file_look_ = now + file_look_share * (now - begin);
+  next_file_look_ = Patience::Clock::now() + file_look_share * (own_processor_time() - begin);
 }
 
 void see_who_answers(const world::PerTeam<TeamProcess*>& teams) {

@@ -5,7 +5,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -62,6 +64,8 @@ void add_size(int folder, int depth, const TreeBounds& bounds, TreeSize& sum) {
     if (::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) continue;
     if (S_ISREG(status.st_mode)) {
       sum.bytes += std::int64_t{status.st_blocks} * block;  // not st_size: neither holes nor room set aside
+      sum.length +=
+          std::min<std::int64_t>(status.st_size, std::numeric_limits<std::int64_t>::max() - sum.length);
     }
     if (!S_ISDIR(status.st_mode)) continue;
     if (depth >= bounds.depth) {

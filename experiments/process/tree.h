@@ -11,6 +11,7 @@ namespace process {
 /// What a folder takes.
 struct TreeSize {
   std::int64_t bytes = 0;   ///< of files on the disk: without holes, with what is set aside for them
+  std::int64_t length = 0;  ///< [bytes] of files as they say: with holes
   std::size_t entries = 0;  ///< files, folders and everything else
   bool whole = true;        ///< false: there is more, beyond the bounds
 };

@@ -52,7 +52,7 @@ bool is_remote(const fs::path& folder) {
 std::int64_t size_of(const fs::path& folder) {
   constexpr process::TreeBounds bounds{.entries = 1'000'000,
                                        .depth = 256};  // ours: a team makes 10,000 at most
-  return process::tree_size(folder, bounds).bytes;
+  return process::tree_size(folder, bounds).length;
 }
 
 }  // namespace runner

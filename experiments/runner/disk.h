@@ -16,7 +16,7 @@ bool is_remote(const std::filesystem::path& folder);
 /// The same of statfs's f_type.
 bool is_remote_type(std::uint32_t type);
 
-/// Bytes of all files below a folder; links are not followed, and holes do not count.
+/// Bytes of all files below a folder; by length; links are not followed.
 std::int64_t size_of(const std::filesystem::path& folder);
 
 }  // namespace runner

@@ -37,9 +37,12 @@ std::string problem_of(mode_t mode) {
 
 std::string reason() { return std::generic_category().message(errno); }
 
-// With the error's number: a machine without free descriptors is waited for.
+// With the error's number where the machine lacks something: it is waited for.
 [[noreturn]] void cannot_read(const std::string& name) {
-  throw std::system_error(errno, std::generic_category(), name + ": cannot be read");
+  if (errno == EMFILE || errno == ENFILE || errno == ENOMEM) {
+    throw std::system_error(errno, std::generic_category(), name + ": cannot be read");
+  }
+  fail(name, "cannot be read: " + reason());
 }
 
 }  // namespace

@@ -15,15 +15,15 @@ std::string not_regular(const std::filesystem::path& file);
 /// its writer, and a device has no end.
 class RegularFile {
  public:
-  /// @throws std::runtime_error "FILE: is a named pipe (FIFO), a regular file is needed"
-  /// @throws std::system_error "FILE: cannot be read: No such file or directory"
+  /// @throws std::runtime_error "FILE: is a named pipe (FIFO), a regular file is needed", "FILE: cannot be
+  /// read: No such file or directory"; a std::system_error when the machine lacks memory or descriptors
   explicit RegularFile(const std::filesystem::path& file);
   RegularFile(const RegularFile&) = delete;
   RegularFile& operator=(const RegularFile&) = delete;
   ~RegularFile();
 
   /// Reads up to `size` bytes; fewer only at the end.
-  /// @throws std::system_error "FILE: cannot be read: Input/output error"
+  /// @throws std::runtime_error "FILE: cannot be read: Input/output error"
   std::size_t read(char* data, std::size_t size);
 
   /// The descriptor, for whoever closes it from now on.

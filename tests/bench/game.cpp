@@ -134,7 +134,7 @@ bool Game::tick() {
   on_part(Part::Encode);
 
   for (const world::Team team : world::both_teams) {
-    if (sides_[team]->host.send(frames[team]) != host::Channel::Status::Done) {
+    if (sides_[team]->host.send(frames[team], host::Channel::Full::Return) != host::Channel::Status::Done) {
       throw std::runtime_error("a tick's message does not fit into the socket");
     }
   }

@@ -153,7 +153,7 @@ class Channel final : public Runner {
   void run(const Tick& tick) override {
     std::string_view rest = frame_;
     std::span<const std::byte> reply;
-    host_.send(rest);
+    host_.send(rest, host::Channel::Full::Return);
     team_.read();
     team_.write(tick.replies.yellow);
     if (host_.receive(reply) != host::Channel::Status::Done) throw std::runtime_error("no reply came");

@@ -76,7 +76,7 @@ constexpr std::string_view usage = R"(fake-team --mode MODE [--at TICK] [--milli
   threads       starts 1200 threads at TICK and does not answer
   hoard         writes 64 MiB more every tick from TICK on into a file that is memory only
   hoard-apart   the same in a thread that has its open files for itself
-  hoard-tmp     the same in a file of its folder for temporary files, which it closes
+  hoard-tmp     the same in a file of its folder for temporary files, which it closes; three times
   unlink        writes 64 MiB more every tick from TICK on into a file of its log folder that has no name
   reserve       has room for 64 MiB more every tick from TICK on set aside for an empty file in its log folder
   connect-twice connects a second time to its own socket at TICK

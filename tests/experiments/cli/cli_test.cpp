@@ -197,7 +197,9 @@ TEST_F(MatchdayProgram, ReplaysAFaultyGameFromItsRepliesWithoutTheTeams) {
   fs::copy_file(folder_ / "results/real/games/base-0000-0/1/game.replies",
                 folder_ / "results/real/games/base-0000-1/1/game.replies",
                 fs::copy_options::overwrite_existing);
-  EXPECT_EQ(matchday("replay results/real base-0000-1 --recorded").code, 1);
+  const Said swapped = matchday("replay results/real base-0000-1 --recorded");
+  EXPECT_EQ(swapped.code, 2);
+  EXPECT_THAT(swapped.text, HasSubstr("is the recording of another game than base-0000-1"));
   fs::remove_all(folder_ / "results/real/games");
   const Said gone = matchday("replay results/real base-0000-1 --recorded");
   EXPECT_EQ(gone.code, 2);

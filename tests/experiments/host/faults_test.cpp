@@ -185,7 +185,8 @@ TEST_F(Faults, HasANameThatNoTableCanHold) {
   expect_blue(play_against("long-name"), Termination::Nonsense, "gives a name of 101 bytes, 100 are allowed");
   expect_blue(play_against("megabyte-name"), Termination::Nonsense,
               "sent nonsense: frame of 1048501 bytes is longer than the 4096 allowed");
-  expect_blue(play_against("escape-name"), Termination::Nonsense, "gives a name with control characters");
+  expect_blue(play_against("escape-name"), Termination::Nonsense,
+              "gives a name with characters that control something");
 }
 
 // Which of both is seen first is a matter of when the system gave the host its turn.

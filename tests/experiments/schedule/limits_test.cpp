@@ -130,13 +130,11 @@ TEST(Design, FilesOfAbsurdSizeAreRefused) {
   ASSERT_NE(::mkdtemp(name.data()), nullptr);
   const std::filesystem::path file = std::filesystem::path(name) / "night.toml";
   std::ofstream(file) << one_pair << std::string(std::size_t{2} << 20, '#');
-  for (const std::string& path : {file.string(), std::string("/dev/zero")}) {
-    try {
-      read_design(path);
-      ADD_FAILURE() << "nothing thrown";
-    } catch (const std::invalid_argument& error) {
-      EXPECT_THAT(error.what(), HasSubstr(path + ": has more than 1 MiB"));
-    }
+  try {
+    read_design(file.string());
+    ADD_FAILURE() << "nothing thrown";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr(file.string() + ": has more than 1 MiB"));
   }
   std::filesystem::remove_all(name);
 }
