@@ -89,7 +89,8 @@ class Kills(Row):
         games = nights.counted(attempts)
         expected = dict(self.expected)
         if kind == "team":  # it lost that game, and no other
-            forfeits = [row for row in attempts if row["at_fault"] != "nobody"]
+            # What is the fault of nobody or of the harness is void: looked at below.
+            forfeits = [row for row in attempts if row["outcome"] != "void" and row["at_fault"] != "nobody"]
             if len(forfeits) > 1:
                 return [f"{len(forfeits)} games ended by a fault after one kill"]
             for row in forfeits:
