@@ -61,6 +61,16 @@ class RunTest : public testing::Test {
     return result.ending;
   }
 
+  /// What a run dies of.
+  std::string complaint(const RunOptions& options) {
+    try {
+      play(options);
+    } catch (const record::StorageError& error) {
+      return error.what();
+    }
+    return "none";
+  }
+
   /// A run in a process of its own, as the user has it.
   pid_t play_elsewhere(const RunOptions& options) const {
     const pid_t child = ::fork();

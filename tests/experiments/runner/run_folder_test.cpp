@@ -21,16 +21,6 @@ class RunFolder : public RunTest {
  protected:
   fs::path at(const std::string& name) const { return folder_.path() / name; }
 
-  /// What a run dies of.
-  std::string complaint(const RunOptions& options) {
-    try {
-      play(options);
-    } catch (const record::StorageError& error) {
-      return error.what();
-    }
-    return "none";
-  }
-
   /// Does something to a run in the middle; returns what the run dies of.
   std::string disturbed(const RunOptions& options, const std::function<void()>& action) {
     std::thread other([&] {

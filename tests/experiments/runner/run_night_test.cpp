@@ -32,16 +32,6 @@ class Night : public RunTest {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
-  /// What the run dies of.
-  std::string complaint(const RunOptions& options) {
-    try {
-      play(options);
-    } catch (const record::StorageError& error) {
-      return error.what();
-    }
-    return "none";
-  }
-
   template <class Condition>
   static bool soon(Condition condition) {
     for (int i = 0; i < 2000; ++i) {  // 20 s, for a loaded machine; all of it needs milliseconds
